@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/mesh/flat_builder.h>
-#include <whipple/mesh/key_table.h>
+#include <whipple/mesh/key_index.h>
 
 #include <algorithm>
 #include <numeric>
@@ -30,11 +30,8 @@ namespace whipple
         : lattice_(lattice)
         , mesh_(mesh)
         , cohesion_(cohesion)
-        , cell_of_key_(mesh.key.size())
+        , cell_of_key_(std::span<const CellKey>(mesh.key))
       {
-        for (Index c = 0; c < mesh_.n_cells; ++c)
-          if (cell_of_key_.insert(mesh_.key[c], c) != c)
-            throw StateError("flat mesh: leaf given twice, " + describe(c));
       }
 
       void
@@ -181,15 +178,17 @@ namespace whipple
       join_corners()
       {
         const std::size_t                       n = mesh_.cell_node.size();
-        KeyTable                                slot_of_point(n);
+        KeyIndex                                slot_of_point(n);
         std::vector<std::array<Index, corners>> around; // corner entry of each quadrant around a point
         for (Index c = 0; c < mesh_.n_cells; ++c)
           for (int k = 0; k < corners; ++k)
             {
-              const Index slot =
-                  slot_of_point.insert(point_key<dim>(corner_point(c, k)), static_cast<Index>(around.size()));
-              if (slot == static_cast<Index>(around.size()))
+              const CellKey here = point_key<dim>(corner_point(c, k));
+              Index         slot = slot_of_point.find(here);
+              if (slot == none)
                 {
+                  slot = static_cast<Index>(around.size());
+                  slot_of_point.insert(here, slot);
                   around.emplace_back();
                   around.back().fill(none);
                 }
@@ -345,7 +344,7 @@ namespace whipple
       const Lattice<dim>                     &lattice_;
       FlatMesh<dim>                          &mesh_;
       Cohesion                                cohesion_;
-      KeyTable                                cell_of_key_;
+      KeyIndex                                cell_of_key_;
       std::array<std::vector<Index>, 2 * dim> middle_; ///< [side][cell] hanging node in the middle of the side
     };
   } // namespace

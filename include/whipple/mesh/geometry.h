@@ -11,17 +11,20 @@
 /// Equations: doc/theory/geometry.md.
 namespace whipple::geometry
 {
-  /// Coordinates of the four corners, [axis][corner].
-  using Quad = std::array<std::array<double, 4>, 2>;
+  /// Coordinates of the four corners, [axis][corner]. Number is double or a pack of doubles, one cell a lane.
+  template <typename Number>
+  using QuadOf = std::array<std::array<Number, 4>, 2>;
+
+  using Quad = QuadOf<double>;
 
   /// Corner order of the counter-clockwise walk around a lexicographic quadrilateral.
   inline constexpr std::array<int, 4> walk{{0, 1, 3, 2}};
 
   /// Signed measure under one edge a -> b (Green): planar (x_a + x_b)/2 (y_b - y_a),
   /// axisymmetric 2 pi (r_a^2 + r_a r_b + r_b^2)/6 (z_b - z_a). Summed counter-clockwise it is the volume.
-  template <Symmetry symmetry>
-  inline double
-  edge_volume(double ra, double za, double rb, double zb)
+  template <Symmetry symmetry, typename Number = double>
+  inline Number
+  edge_volume(Number ra, Number za, Number rb, Number zb)
   {
     if constexpr (symmetry == Symmetry::planar)
       return 0.5 * (ra + rb) * (zb - za);
@@ -30,11 +33,11 @@ namespace whipple::geometry
   }
 
   /// Volume of the quadrilateral (of revolution).
-  template <Symmetry symmetry>
-  inline double
-  volume(const Quad &x)
+  template <Symmetry symmetry, typename Number = double>
+  inline Number
+  volume(const QuadOf<Number> &x)
   {
-    double sum = 0;
+    Number sum = 0;
     for (int i = 0; i < 4; ++i)
       {
         const int a = walk[i], b = walk[(i + 1) % 4];
@@ -44,15 +47,15 @@ namespace whipple::geometry
   }
 
   /// dV/dx of every corner: the corner vectors B_k on which a pressure works, [axis][corner].
-  template <Symmetry symmetry>
-  inline Quad
-  volume_gradient(const Quad &x)
+  template <Symmetry symmetry, typename Number = double>
+  inline QuadOf<Number>
+  volume_gradient(const QuadOf<Number> &x)
   {
-    Quad gradient{};
+    QuadOf<Number> gradient{};
     for (int i = 0; i < 4; ++i)
       {
         const int    a = walk[i], b = walk[(i + 1) % 4];
-        const double ra = x[0][a], rb = x[0][b], dz = x[1][b] - x[1][a];
+        const Number ra = x[0][a], rb = x[0][b], dz = x[1][b] - x[1][a];
         if constexpr (symmetry == Symmetry::planar)
           {
             gradient[0][a] += 0.5 * dz;
@@ -63,7 +66,7 @@ namespace whipple::geometry
         else
           {
             constexpr double third = std::numbers::pi / 3.;
-            const double     w     = third * (ra * ra + ra * rb + rb * rb);
+            const Number     w     = third * (ra * ra + ra * rb + rb * rb);
             gradient[0][a] += third * (2. * ra + rb) * dz;
             gradient[0][b] += third * (ra + 2. * rb) * dz;
             gradient[1][a] -= w;
@@ -75,10 +78,11 @@ namespace whipple::geometry
 
   /// Jacobian of the bilinear map from the unit square at each corner (twice the corner triangle's area);
   /// all four positive = the element is convex.
-  inline std::array<double, 4>
-  corner_jacobian(const Quad &x)
+  template <typename Number = double>
+  inline std::array<Number, 4>
+  corner_jacobian(const QuadOf<Number> &x)
   {
-    std::array<double, 4> jacobian;
+    std::array<Number, 4> jacobian;
     for (int k = 0; k < 4; ++k)
       {
         const int i = k ^ 1, j = k ^ 2, row = k & 2, column = k & 1;
@@ -91,14 +95,14 @@ namespace whipple::geometry
 
   /// Integral of shape function N_k over the plane area (no radius), times 2 pi in axisymmetry:
   /// the weights h_k of the hoop rate, D_hoop = sum_k h_k v_r,k / V. Zero in planar symmetry.
-  template <Symmetry symmetry>
-  inline std::array<double, 4>
-  hoop_weight(const Quad &x)
+  template <Symmetry symmetry, typename Number = double>
+  inline std::array<Number, 4>
+  hoop_weight(const QuadOf<Number> &x)
   {
-    std::array<double, 4> h{};
+    std::array<Number, 4> h{};
     if constexpr (symmetry == Symmetry::axisymmetric)
       {
-        const std::array<double, 4> j = corner_jacobian(x);
+        const std::array<Number, 4> j = corner_jacobian(x);
         for (int k = 0; k < 4; ++k)
           h[k] = 2. * std::numbers::pi * (4. * j[k] + 2. * (j[k ^ 1] + j[k ^ 2]) + j[k ^ 3]) / 36.;
       }

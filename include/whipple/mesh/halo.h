@@ -44,8 +44,21 @@ namespace whipple
     }
 
   private:
+    /// Messages to and from one neighbour; they only grow, so that a step allocates nothing.
+    struct Buffers
+    {
+      std::vector<double> send, receive;
+    };
+
+    void
+    exchange_all(std::span<std::vector<double> *const> cell_arrays, std::span<std::vector<double> *const> node_arrays,
+                 std::span<std::vector<double> *const> corner_arrays) const;
+
     MPI_Comm               communicator_ = MPI_COMM_SELF;
     const FlatMesh<dim>   *mesh_         = nullptr;
     std::vector<Neighbour> neighbours_;
+
+    mutable std::vector<Buffers>     buffers_;
+    mutable std::vector<MPI_Request> requests_;
   };
 } // namespace whipple

@@ -78,8 +78,9 @@ namespace whipple
 
     std::vector<double> volume; ///< [n_cells] true volume of the cell, cm^3
 
-    /// [n_cells * corners] share of the cell's mass at each corner, integral of N_k over the cell's true
-    /// volume at the time of the last remap (Lagrangian steps leave it alone: corner masses are constant).
+    /// [n_cells * corners] share (dimensionless, the corners of a cell sum to 1) of the cell's mass at each
+    /// corner: integral of N_k over the cell's true volume, divided by that volume, at the time of the last
+    /// remap. Lagrangian steps leave it alone: corner masses are constant.
     std::vector<double> corner_weight;
 
     std::vector<MaterialState> material;
