@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/material/equation_of_state.h>
+#include <whipple/material/strength.h>
+#include <whipple/material/void_law.h>
+
+#include <memory>
+#include <string>
+
+namespace whipple
+{
+  /// One material of a scene: its models, ready to run. Models that the scene leaves out are null.
+  struct Material
+  {
+    std::string                            name;   ///< "aluminium 2024-T4"
+    std::string                            source; ///< where the constants come from
+    std::shared_ptr<const EquationOfState> eos;
+    std::shared_ptr<const Strength>        strength; ///< null: hydrodynamic
+    std::shared_ptr<const VoidLaw>         void_law; ///< null: phi = 0 always, no field allocated
+    bool isothermal = false; ///< P_s = P_s(gamma, 0) as in 1993; work is still booked in the energy
+  };
+} // namespace whipple

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/linear_polynomial.h>
+#include <whipple/material/parameter_check.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace whipple
+{
+  namespace
+  {
+    struct Pressure
+    {
+      double value;
+      double dp_dmu;
+      double dp_dE; ///< E per reference volume
+    };
+
+    inline Pressure
+    polynomial(const LinearPolynomial::Constants &c, double mu, double energy_per_volume)
+    {
+      const double positive = std::max(mu, 0.);
+      const double thermal  = c.c4 + c.c5 * mu + c.c6 * positive * positive;
+      return {c.c1 * mu + c.c2 * positive * positive + c.c3 * mu * mu * mu + thermal * energy_per_volume,
+              c.c1 + 2. * c.c2 * positive + 3. * c.c3 * mu * mu + (c.c5 + 2. * c.c6 * positive) * energy_per_volume,
+              thermal};
+    }
+  } // namespace
+
+  LinearPolynomial::Constants
+  LinearPolynomial::expansion_of(const MieGrueneisen::Constants &law)
+  {
+    const double s            = law.hugoniot_slope;
+    const double grueneisen   = law.grueneisen;
+    const double bulk_modulus = law.reference_density * law.sound_speed * law.sound_speed;
+    Constants    expansion;
+    expansion.reference_density = law.reference_density;
+    expansion.c1                = bulk_modulus;
+    expansion.c2                = bulk_modulus * (2. * s - 1. - 0.5 * grueneisen);
+    expansion.c3                = bulk_modulus * (s - 1.) * (3. * s - 1. - grueneisen);
+    expansion.c4                = grueneisen;
+    return expansion;
+  }
+
+  LinearPolynomial::LinearPolynomial(const Constants &constants)
+    : constants(constants)
+  {
+    require_positive(name(), "density", constants.reference_density, "g/cm^3");
+    require_positive(name(), "c1", constants.c1, "Mbar");
+    for (const double c : {constants.c2, constants.c3, constants.c4, constants.c5, constants.c6})
+      if (!std::isfinite(c))
+        throw InputError(name() + ": c2 ... c6 must be finite numbers");
+  }
+
+  void
+  LinearPolynomial::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+                             std::span<double> sound_speed_squared) const
+  {
+    const Constants   c       = constants;
+    const double      gamma0  = c.reference_density;
+    const double      inverse = 1. / gamma0;
+    const std::size_t n       = gamma.size();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double   v       = gamma0 / gamma[i];
+        const Pressure p       = polynomial(c, gamma[i] * inverse - 1., gamma0 * energy[i]);
+        pressure[i]            = p.value;
+        sound_speed_squared[i] = inverse * (p.dp_dmu + p.value * p.dp_dE * (v * v));
+      }
+  }
+
+  void
+  LinearPolynomial::derivatives(std::span<const double> gamma, std::span<const double> energy,
+                                std::span<double> dp_dgamma, std::span<double> dp_de) const
+  {
+    const Constants   c       = constants;
+    const double      gamma0  = c.reference_density;
+    const double      inverse = 1. / gamma0;
+    const std::size_t n       = gamma.size();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const Pressure p = polynomial(c, gamma[i] * inverse - 1., gamma0 * energy[i]);
+        dp_dgamma[i]     = p.dp_dmu * inverse;
+        dp_de[i]         = p.dp_dE * gamma0;
+      }
+  }
+
+  double
+  LinearPolynomial::energy_of_pressure(double gamma, double pressure) const
+  {
+    check_density(gamma);
+    const double   gamma0 = constants.reference_density;
+    const Pressure cold   = polynomial(constants, gamma / gamma0 - 1., 0.);
+    if (cold.dp_dE == 0.)
+      {
+        std::ostringstream message;
+        message << name() << ": pressure does not depend on energy at density " << gamma
+                << " g/cm^3 (c4 + c5 mu + c6 mu^2 = 0); no energy gives " << pressure << " Mbar";
+        throw StateError(message.str());
+      }
+    return (pressure - cold.value) / (cold.dp_dE * gamma0);
+  }
+
+  double
+  LinearPolynomial::reference_density() const
+  {
+    return constants.reference_density;
+  }
+
+  std::string
+  LinearPolynomial::name() const
+  {
+    return "linear polynomial";
+  }
+} // namespace whipple

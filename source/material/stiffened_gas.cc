@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/parameter_check.h>
+#include <whipple/material/stiffened_gas.h>
+
+namespace whipple
+{
+  StiffenedGas::StiffenedGas(const Constants &constants)
+    : constants(constants)
+  {
+    require_positive(name(), "density", constants.reference_density, "g/cm^3");
+    require_positive(name(), "sound speed", constants.sound_speed, "cm/us");
+    require_greater(name(), "adiabatic exponent", constants.adiabatic_exponent, 1., "");
+  }
+
+  void
+  StiffenedGas::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+                         std::span<double> sound_speed_squared) const
+  {
+    const double      gamma0 = constants.reference_density;
+    const double      c0c0   = constants.sound_speed * constants.sound_speed;
+    const double      k1     = constants.adiabatic_exponent - 1.;
+    const std::size_t n      = gamma.size();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double p         = c0c0 * (gamma[i] - gamma0) + k1 * gamma[i] * energy[i];
+        pressure[i]            = p;
+        sound_speed_squared[i] = c0c0 + k1 * (energy[i] + p / gamma[i]);
+      }
+  }
+
+  void
+  StiffenedGas::derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+                            std::span<double> dp_de) const
+  {
+    const double      c0c0 = constants.sound_speed * constants.sound_speed;
+    const double      k1   = constants.adiabatic_exponent - 1.;
+    const std::size_t n    = gamma.size();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        dp_dgamma[i] = c0c0 + k1 * energy[i];
+        dp_de[i]     = k1 * gamma[i];
+      }
+  }
+
+  double
+  StiffenedGas::energy_of_pressure(double gamma, double pressure) const
+  {
+    check_density(gamma);
+    const double c0c0 = constants.sound_speed * constants.sound_speed;
+    return (pressure - c0c0 * (gamma - constants.reference_density)) / ((constants.adiabatic_exponent - 1.) * gamma);
+  }
+
+  double
+  StiffenedGas::reference_density() const
+  {
+    return constants.reference_density;
+  }
+
+  std::string
+  StiffenedGas::name() const
+  {
+    return "stiffened gas";
+  }
+} // namespace whipple
