@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/scene/prm_statements.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace whipple
+{
+  /// The entries of a scene: declared with default and documentation, assigned from statements, read back by the
+  /// sections. A dealii::ParameterHandler holds and prints them; this class adds where each value came from, so
+  /// that whatever is wrong with it is reported in one line.
+  class SceneParameters
+  {
+  public:
+    /// @param file the .prm, for messages about entries that it does not set
+    explicit SceneParameters(std::string file);
+
+    /// Declare an entry. An empty default means "not given".
+    void
+    declare(const std::string &section, const std::string &key, const std::string &default_value,
+            const std::string &documentation);
+
+    /// Set the entry of a statement.
+    /// @throws InputError if no such section or entry is declared; names the ones that are.
+    void
+    assign(const PrmStatement &statement);
+
+    /// Value as text.
+    std::string
+    get(const std::string &section, const std::string &key);
+
+    /// Put the effective value in place of what the user left open.
+    void
+    replace(const std::string &section, const std::string &key, const std::string &value);
+
+    /// @throws InputError always: "FILE:LINE: SECTION/KEY = 'VALUE': ALLOWED".
+    [[noreturn]] void
+    reject(const std::string &section, const std::string &key, const std::string &allowed);
+
+    /// All entries as a .prm with their documentation.
+    std::string
+    print() const;
+
+  private:
+    struct Entry
+    {
+      std::string section, key, origin;
+    };
+
+    Entry *
+    find(const std::string &section, const std::string &key);
+
+    [[noreturn]] void
+    reject_unknown(const PrmStatement &statement) const;
+
+    void
+    enter(const std::string &section);
+    void
+    leave(const std::string &section);
+
+    std::string              file_;
+    dealii::ParameterHandler handler_;
+    std::vector<Entry>       entries_;
+  };
+} // namespace whipple

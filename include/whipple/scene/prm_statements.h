@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace whipple
+{
+  /// One "set KEY = VALUE" of a .prm file or of the command line.
+  struct PrmStatement
+  {
+    std::string origin;  ///< "prm/whipple_shield.prm:12" or "--set"
+    std::string section; ///< "Bodies/sphere"; empty at the top
+    std::string key;     ///< "Diameter"
+    std::string value;   ///< "0.32 cm"
+
+    /// "Bodies/sphere/Diameter"
+    std::string
+    name() const
+    {
+      return section.empty() ? key : section + "/" + key;
+    }
+  };
+
+  /// All assignments of a .prm file (deal.II ParameterHandler's format: subsection, set, end, comments from '#',
+  /// a backslash at the end of a line continues it), each with the line it stands in.
+  /// @throws InputError if the file cannot be read, a line is no statement, subsections are not closed, or a key is set
+  /// twice.
+  std::vector<PrmStatement>
+  read_prm_statements(const std::string &file);
+
+  /// "Section/Sub/Name = value" as an assignment.
+  /// @throws InputError if there is no '=' or no name.
+  PrmStatement
+  read_override(const std::string &text);
+} // namespace whipple

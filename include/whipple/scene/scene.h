@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/hydro_parameters.h>
+#include <whipple/material/material_factory.h>
+#include <whipple/mesh/boundary.h>
+#include <whipple/mesh/flat_builder.h>
+#include <whipple/projection/to_eulerian.h>
+#include <whipple/scene/shape.h>
+#include <whipple/state/velocity_gather.h>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a .prm says, checked and in internal units (cm, g, us, Mbar): plain data, ready to run.
+/// The keys, units and defaults of every entry are in doc/scene_files.md.
+namespace whipple
+{
+  /// A material under the name the scene gives it. The models that the scene's effects leave out are null:
+  /// without the effect "strength" model.strength, without "voids" model.void_law.
+  struct SceneMaterial
+  {
+    std::string     name;    ///< the scene's name; model.name is the library's
+    MaterialRequest request; ///< kinds and constants, those of the library filled in (for exact solutions)
+    Material        model;
+  };
+
+  /// Energy put into one cell of a body before the run starts (point explosions).
+  template <int dim>
+  struct EnergyDeposit
+  {
+    double      energy = 0; ///< Mbar cm^3, true volumes: what the whole domain receives
+    Vector<dim> point{};    ///< cm; goes into the leaf that holds this point (of several, the one of smallest key)
+  };
+
+  /// A body as it enters the scene: uniform density, energy and velocity, no void, no stress.
+  template <int dim>
+  struct Body
+  {
+    std::string                       name;
+    Shape<dim>                        shape;
+    std::size_t                       material = 0; ///< index into Scene::materials
+    Vector<dim>                       velocity{};   ///< cm/us
+    double                            density = 0;  ///< g/cm^3
+    double                            energy  = 0;  ///< specific internal energy, Mbar cm^3/g
+    std::optional<EnergyDeposit<dim>> deposit;
+  };
+
+  /// What moves the mesh of a stage.
+  enum class StageMode
+  {
+    eulerian,  ///< fixed mesh: Lagrange step, then remap
+    lagrangian ///< the mesh moves with the material: no remap
+  };
+
+  /// What ends a stage.
+  struct StageEnd
+  {
+    enum class Kind
+    {
+      at_time,     ///< at `time` since the start of the run
+      after,       ///< `time` after the start of the stage
+      leading_edge ///< when the leading edge reaches the front face of `body`
+    };
+    Kind        kind = Kind::at_time;
+    double      time = 0; ///< us
+    std::size_t body = 0; ///< index into Scene::bodies; no earlier stage introduces it
+  };
+
+  /// What a Lagrangian stage takes over from the Eulerian stage before it; the rest is dropped and booked.
+  struct DebrisEntry
+  {
+    double                     void_cutoff            = 0.99; ///< cells with more void than this are dropped
+    double                     minimum_axial_velocity = 0;    ///< cm/us, along axis 1
+    std::optional<std::size_t> behind; ///< only cells beyond the rear face of this body (as it entered the scene)
+  };
+
+  /// One link of the chain.
+  struct Stage
+  {
+    std::string              name;
+    StageMode                mode = StageMode::eulerian;
+    std::vector<std::size_t> introduces; ///< indices of bodies that enter at its start
+    StageEnd                 end;
+    double                   max_time_step       = std::numeric_limits<double>::infinity(); ///< us
+    KineticLoss              lost_kinetic_energy = KineticLoss::heat;                       ///< by remap and projection
+
+    Cohesion    cohesion = Cohesion::bonded; ///< Lagrangian stages
+    DebrisEntry debris;                      ///< Lagrangian stages that follow an Eulerian one
+
+    Representation representation = Representation::distended; ///< Eulerian stages that follow a Lagrangian one
+  };
+
+  enum class Refinement
+  {
+    adaptive, ///< by what the cells hold
+    uniform   ///< the finest level everywhere
+  };
+
+  /// How the forest follows the material; its cells themselves are Scene::lattice.
+  struct MeshControl
+  {
+    Refinement refinement     = Refinement::adaptive;
+    int        buffer         = 4;  ///< finest cells kept around material of the finest level
+    int        regrid_steps   = 10; ///< steps between regrids
+    double     solid_fraction = 0;  ///< solid volume / cell volume below which a cell gives up one level ...
+    double     solid_ratio    = 0;  ///< ... and one more for each factor of this (< 1) below it
+  };
+
+  /// Coefficients of the scheme; doc/theory says what they multiply.
+  struct Numerics
+  {
+    HydroParameters hydro;                  ///< Courant number, viscosity, hourglass, volume change
+    double          advection_limit = 0.45; ///< largest displacement of a node in a step, in cell edges (Eulerian)
+    double          growth_limit    = 1.1;  ///< largest ratio of one time step to the last, > 1
+    int             remap_order     = 2;    ///< 1 or 2
+
+    std::optional<int> inject_failure_at_step; ///< test hook: the state goes bad in this step (counted from 1)
+  };
+
+  struct OutputControl
+  {
+    std::optional<double> fields_interval;            ///< us; none: no field files
+    bool                  hdf5                = true; ///< HDF5 + XDMF
+    bool                  vtu                 = false;
+    double                statistics_interval = 0; ///< us; 0: every step
+  };
+
+  template <int dim>
+  struct Scene
+  {
+    std::string file;  ///< the .prm it was read from
+    std::string title; ///< one line for the banner
+
+    Boundaries<dim> boundaries;
+    Lattice<dim>    lattice; ///< symmetry, lower corner, finest cell, root cells, levels
+    MeshControl     mesh;
+
+    std::vector<SceneMaterial> materials;
+    std::vector<std::string>   effects; ///< "strength", "voids", "body tags"
+    std::vector<Body<dim>>     bodies;
+    std::vector<Stage>         stages; ///< at least one
+    Numerics                   numerics;
+    OutputControl              output;
+    std::optional<std::string> exact_solution; ///< name of the exact solution that errors are measured against
+
+    std::string effective_parameters; ///< every value in force, as a .prm that reads back to this scene
+
+    bool
+    has_effect(const std::string &name) const
+    {
+      for (const std::string &effect : effects)
+        if (effect == name)
+          return true;
+      return false;
+    }
+
+    /// Upper corner of the domain, cm.
+    Vector<dim>
+    upper_corner() const
+    {
+      Vector<dim> upper;
+      for (int d = 0; d < dim; ++d)
+        upper[d] = lattice.origin[d] + lattice.spacing * lattice.finest(d);
+      return upper;
+    }
+  };
+
+  /// Read a scene file, apply overrides ("Section/Sub/Name = value", the last one wins), check everything.
+  /// @throws InputError one line naming file (or option), key, value and what is allowed.
+  template <int dim>
+  Scene<dim>
+  read_scene(const std::string &file, const std::vector<std::string> &overrides = {});
+
+  /// Write Scene::effective_parameters to a file.
+  /// @throws Error if it cannot be written.
+  template <int dim>
+  void
+  write_effective_parameters(const Scene<dim> &scene, const std::string &path);
+} // namespace whipple

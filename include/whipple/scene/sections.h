@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/scene/scene.h>
+#include <whipple/scene/section.h>
+
+#include <string>
+#include <vector>
+
+/// The sections of a scene file: for each, the declaration of its entries (with defaults and documentation) and how
+/// they become a part of the Scene. Sections that hold named entries (materials, bodies, stages) are declared for the
+/// names that their key `List` holds. Every read_ function throws InputError.
+namespace whipple::sections
+{
+  void
+  declare_geometry(SceneParameters &parameters);
+  /// Symmetry, lattice origin, boundaries; returns the upper corner of the domain as the file gives it.
+  template <int dim>
+  Vector<dim>
+  read_geometry(SceneParameters &parameters, Scene<dim> &scene);
+
+  void
+  declare_mesh(SceneParameters &parameters);
+  /// Lattice and mesh control. The domain grows to a whole number of root cells: Geometry/Upper corner is replaced.
+  template <int dim>
+  void
+  read_mesh(SceneParameters &parameters, const Vector<dim> &upper, Scene<dim> &scene);
+
+  void
+  declare_effects(SceneParameters &parameters);
+  /// Names of the effects that the scene wants.
+  std::vector<std::string>
+  read_effects(SceneParameters &parameters);
+  /// Effects that a scene may list.
+  std::vector<std::string>
+  effect_names();
+
+  void
+  declare_materials(SceneParameters &parameters, const std::vector<std::string> &names);
+  std::vector<SceneMaterial>
+  read_materials(SceneParameters &parameters, const std::vector<std::string> &effects);
+
+  void
+  declare_bodies(SceneParameters &parameters, const std::vector<std::string> &names);
+  /// Bodies with complete initial states; needs the scene's materials.
+  template <int dim>
+  std::vector<Body<dim>>
+  read_bodies(SceneParameters &parameters, const Scene<dim> &scene);
+  /// Inside the domain, no two of them overlapping; needs the scene's bodies and lattice.
+  template <int dim>
+  void
+  check_bodies(SceneParameters &parameters, const Scene<dim> &scene);
+
+  void
+  declare_stages(SceneParameters &parameters, const std::vector<std::string> &names);
+  /// Needs the scene's bodies.
+  template <int dim>
+  std::vector<Stage>
+  read_stages(SceneParameters &parameters, const Scene<dim> &scene);
+
+  void
+  declare_numerics(SceneParameters &parameters);
+  Numerics
+  read_numerics(SceneParameters &parameters);
+
+  void
+  declare_output(SceneParameters &parameters);
+  OutputControl
+  read_output(SceneParameters &parameters);
+  /// Output/Exact solution.
+  std::optional<std::string>
+  read_exact_solution(SceneParameters &parameters);
+} // namespace whipple::sections

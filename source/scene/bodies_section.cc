@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/scene/sections.h>
+
+namespace whipple::sections
+{
+  namespace
+  {
+    const std::string path = "Bodies";
+
+    /// Keys that belong to one shape only, the one that holds its position first.
+    struct ShapeKeys
+    {
+      std::string              shape;
+      std::vector<std::string> keys;
+    };
+    const std::vector<ShapeKeys> shape_keys{{"sphere", {"Center", "Diameter"}},
+                                            {"plate", {"Front face", "Thickness", "Half width"}},
+                                            {"box", {"Lower corner", "Upper corner"}}};
+
+    template <int dim>
+    Shape<dim>
+    read_sphere(const SceneSection &section)
+    {
+      return Sphere<dim>{section.vector<dim>("Center", units::length), section.positive("Diameter", units::length)};
+    }
+
+    template <int dim>
+    Shape<dim>
+    read_plate(const SceneSection &section)
+    {
+      Plate<dim> plate;
+      plate.front     = section.quantity("Front face", units::length);
+      plate.thickness = section.positive("Thickness", units::length);
+      if (section.given("Half width"))
+        plate.half_width = section.positive("Half width", units::length);
+      return plate;
+    }
+
+    template <int dim>
+    Shape<dim>
+    read_box(const SceneSection &section)
+    {
+      const Box<dim> box{section.vector<dim>("Lower corner", units::length),
+                         section.vector<dim>("Upper corner", units::length)};
+      for (int d = 0; d < dim; ++d)
+        if (!(box.upper[d] > box.lower[d]))
+          section.reject("Upper corner",
+                         "must lie above the lower corner '" + section.text("Lower corner") + "' along every axis");
+      return box;
+    }
+
+    template <int dim>
+    Shape<dim>
+    read_shape(const SceneSection &section)
+    {
+      using Reader      = Shape<dim> (*)(const SceneSection &);
+      const auto reader = section.choice<Reader>(
+          "Shape", {{"sphere", &read_sphere<dim>}, {"plate", &read_plate<dim>}, {"box", &read_box<dim>}});
+      for (const ShapeKeys &other : shape_keys)
+        if (other.shape != section.text("Shape"))
+          for (const std::string &key : other.keys)
+            if (section.given(key))
+              section.reject(key, "belongs to the shape " + other.shape + ", not to a " + section.text("Shape"));
+      return reader(section);
+    }
+
+    /// Specific energy of the pressure that the body asks for.
+    double
+    energy_of_pressure(const SceneSection &section, const EquationOfState &eos, double density)
+    {
+      const double pressure = section.quantity("Pressure", units::pressure);
+      try
+        {
+          return eos.energy_of_pressure(density, pressure);
+        }
+      catch (const StateError &error)
+        {
+          section.reject("Pressure", std::string("the material has no such state: ") + error.what());
+        }
+    }
+
+    /// Density and specific energy; what is left open is the material at rest: reference density, zero energy.
+    template <int dim>
+    void
+    read_state(const SceneSection &section, const EquationOfState &eos, Body<dim> &body)
+    {
+      if (!section.given("Density"))
+        section.replace("Density", units::format(eos.reference_density(), units::density));
+      body.density = section.positive("Density", units::density);
+
+      if (section.given("Pressure") && section.given("Specific energy"))
+        section.reject("Pressure", "allowed is a pressure or a specific energy, not both");
+      if (section.given("Pressure"))
+        {
+          body.energy = energy_of_pressure(section, eos, body.density);
+          return;
+        }
+      if (!section.given("Specific energy"))
+        section.replace("Specific energy", units::format(0, units::specific_energy));
+      body.energy = section.quantity("Specific energy", units::specific_energy);
+    }
+
+    template <int dim>
+    Body<dim>
+    read_body(SceneParameters &parameters, const std::string &name, const Scene<dim> &scene)
+    {
+      const SceneSection       section(parameters, path + "/" + name);
+      std::vector<std::string> materials;
+      for (const SceneMaterial &material : scene.materials)
+        materials.push_back(material.name);
+
+      Body<dim> body;
+      body.name     = name;
+      body.shape    = read_shape<dim>(section);
+      body.velocity = section.vector<dim>("Velocity", units::velocity);
+      body.material = section.name_index("Material", section.text("Material"), materials);
+      read_state(section, *scene.materials[body.material].model.eos, body);
+      if (section.given("Deposited energy"))
+        body.deposit = EnergyDeposit<dim>{section.positive("Deposited energy", units::energy),
+                                          section.vector<dim>("Deposit point", units::length)};
+      else if (section.given("Deposit point"))
+        section.reject("Deposit point", "needs a deposited energy");
+      return body;
+    }
+  } // namespace
+
+  void
+  declare_bodies(SceneParameters &parameters, const std::vector<std::string> &names)
+  {
+    SceneSection(parameters, path).declare("List", "", "names of the bodies; each has its subsection below");
+    for (const std::string &name : names)
+      {
+        SceneSection section(parameters, path + "/" + name);
+        section.declare("Shape", "", "sphere (planar: cylinder) | plate (normal to axis 1) | box");
+        section.declare("Center", "", "sphere");
+        section.declare("Diameter", "", "sphere");
+        section.declare("Front face", "", "plate: its lower face along axis 1");
+        section.declare("Thickness", "", "plate");
+        section.declare("Half width", "", "plate: |x| or r up to which it reaches; not given: the whole domain");
+        section.declare("Lower corner", "", "box");
+        section.declare("Upper corner", "", "box");
+        section.declare("Velocity", "0 cm/us, 0 cm/us", "along axis 0 and axis 1");
+        section.declare("Material", "", "one of Materials/List");
+        section.declare("Density", "", "not given: the material's at zero pressure and energy");
+        section.declare("Pressure", "", "instead of a specific energy");
+        section.declare("Specific energy", "", "not given, and no pressure given: zero");
+        section.declare("Deposited energy", "", "put into the one cell that holds the deposit point");
+        section.declare("Deposit point", "", "inside the body");
+      }
+  }
+
+  template <int dim>
+  std::vector<Body<dim>>
+  read_bodies(SceneParameters &parameters, const Scene<dim> &scene)
+  {
+    const SceneSection     section(parameters, path);
+    std::vector<Body<dim>> bodies;
+    for (const std::string &name : section.list("List"))
+      bodies.push_back(read_body<dim>(parameters, name, scene));
+    if (bodies.empty())
+      section.reject("List", "must be given; allowed are one or more names, each with its subsection");
+    return bodies;
+  }
+
+  template std::vector<Body<2>>
+  read_bodies(SceneParameters &, const Scene<2> &);
+} // namespace whipple::sections

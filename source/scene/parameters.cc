@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/scene/nearest_name.h>
+#include <whipple/scene/parameters.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace whipple
+{
+  SceneParameters::SceneParameters(std::string file)
+    : file_(std::move(file))
+  {
+  }
+
+  void
+  SceneParameters::declare(const std::string &section, const std::string &key, const std::string &default_value,
+                           const std::string &documentation)
+  {
+    enter(section);
+    handler_.declare_entry(key, default_value, dealii::Patterns::Anything(), documentation);
+    leave(section);
+    entries_.push_back({section, key, file_});
+  }
+
+  void
+  SceneParameters::assign(const PrmStatement &statement)
+  {
+    Entry *entry = find(statement.section, statement.key);
+    if (!entry)
+      reject_unknown(statement);
+    entry->origin = statement.origin;
+    replace(statement.section, statement.key, statement.value);
+  }
+
+  std::string
+  SceneParameters::get(const std::string &section, const std::string &key)
+  {
+    enter(section);
+    const std::string value = handler_.get(key);
+    leave(section);
+    return value;
+  }
+
+  void
+  SceneParameters::replace(const std::string &section, const std::string &key, const std::string &value)
+  {
+    enter(section);
+    handler_.set(key, value);
+    leave(section);
+  }
+
+  void
+  SceneParameters::reject(const std::string &section, const std::string &key, const std::string &allowed)
+  {
+    throw InputError(find(section, key)->origin, section.empty() ? key : section + "/" + key, get(section, key),
+                     allowed);
+  }
+
+  std::string
+  SceneParameters::print() const
+  {
+    std::ostringstream text;
+    handler_.print_parameters(text,
+                              dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
+                                                                    dealii::ParameterHandler::KeepDeclarationOrder));
+    return text.str();
+  }
+
+  SceneParameters::Entry *
+  SceneParameters::find(const std::string &section, const std::string &key)
+  {
+    const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry &e) { return e.section == section && e.key == key; });
+    return entry == entries_.end() ? nullptr : &*entry;
+  }
+
+  void
+  SceneParameters::reject_unknown(const PrmStatement &statement) const
+  {
+    std::vector<std::string> keys, sections;
+    for (const Entry &entry : entries_)
+      {
+        if (entry.section == statement.section)
+          keys.push_back(entry.key);
+        if (!entry.section.empty() && std::find(sections.begin(), sections.end(), entry.section) == sections.end())
+          sections.push_back(entry.section);
+      }
+    const bool known = !keys.empty();
+    throw InputError(statement.origin, statement.name(), statement.value,
+                     known ? "no such key; " + name_choices(statement.key, keys)
+                           : "no such section; " + name_choices(statement.section, sections));
+  }
+
+  void
+  SceneParameters::enter(const std::string &section)
+  {
+    std::istringstream names(section);
+    for (std::string name; std::getline(names, name, '/');)
+      handler_.enter_subsection(name);
+  }
+
+  void
+  SceneParameters::leave(const std::string &section)
+  {
+    std::istringstream names(section);
+    for (std::string name; std::getline(names, name, '/');)
+      handler_.leave_subsection();
+  }
+} // namespace whipple

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/scene/sections.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whipple::sections
+{
+  namespace
+  {
+    const std::string path = "Stages";
+
+    template <int dim>
+    std::vector<std::string>
+    body_names(const Scene<dim> &scene)
+    {
+      std::vector<std::string> names;
+      for (const Body<dim> &body : scene.bodies)
+        names.push_back(body.name);
+      return names;
+    }
+
+    template <int dim>
+    double
+    largest_body_speed(const Scene<dim> &scene)
+    {
+      double square = 0;
+      for (const Body<dim> &body : scene.bodies)
+        {
+          double v2 = 0;
+          for (const double component : body.velocity)
+            v2 += component * component;
+          square = std::max(square, v2);
+        }
+      return std::sqrt(square);
+    }
+
+    /// "1.5 us" | "for 2 us" | "until leading edge reaches BODY"
+    StageEnd
+    read_end(const SceneSection &section, const std::vector<std::string> &bodies)
+    {
+      const std::string text = section.text("End");
+      if (text.empty())
+        section.reject("End", "must be given; allowed are a time such as '1.5 us', 'for 2 us', and 'until leading edge "
+                              "reaches BODY'");
+      StageEnd end;
+      if (const auto body = text_after("until leading edge reaches", text))
+        {
+          end.kind = StageEnd::Kind::leading_edge;
+          end.body = section.name_index("End", *body, bodies);
+          return end;
+        }
+      const auto duration = text_after("for", text);
+      end.kind            = duration ? StageEnd::Kind::after : StageEnd::Kind::at_time;
+      end.time            = section.parse("End", duration.value_or(text), units::time);
+      if (!(end.time > 0))
+        section.reject("End", "must be > 0 us");
+      return end;
+    }
+
+    template <int dim>
+    DebrisEntry
+    read_debris(const SceneSection &section, const Scene<dim> &scene)
+    {
+      DebrisEntry debris;
+      debris.void_cutoff = section.between("Void cutoff", units::number, 0, 1);
+
+      const std::string key = "Minimum axial velocity", text = section.text(key);
+      debris.minimum_axial_velocity = !text.empty() && text.back() == '%'
+                                          ? section.parse(key, text, units::number) * largest_body_speed(scene)
+                                          : section.quantity(key, units::velocity);
+      if (!(debris.minimum_axial_velocity >= 0))
+        section.reject(key, "must be >= 0; allowed is a velocity, or a part of the largest body speed such as '10 %'");
+      if (section.text("Debris behind") != "none")
+        debris.behind = section.name_index("Debris behind", section.text("Debris behind"), body_names(scene));
+      return debris;
+    }
+
+    template <int dim>
+    Stage
+    read_stage(const SceneSection &section, const std::string &name, const Scene<dim> &scene)
+    {
+      const std::vector<std::string> bodies = body_names(scene);
+
+      Stage stage;
+      stage.name = name;
+      stage.mode =
+          section.choice<StageMode>("Mode", {{"eulerian", StageMode::eulerian}, {"lagrangian", StageMode::lagrangian}});
+      if (section.text("Introduces") != "none")
+        for (const std::string &body : section.list("Introduces"))
+          stage.introduces.push_back(section.name_index("Introduces", body, bodies));
+      stage.end = read_end(section, bodies);
+      if (const auto step = section.optional_positive("Max time step", units::time))
+        stage.max_time_step = *step;
+      stage.lost_kinetic_energy = section.choice<KineticLoss>(
+          "Lost kinetic energy", {{"heat", KineticLoss::heat}, {"drop", KineticLoss::drop}});
+      stage.cohesion =
+          section.choice<Cohesion>("Cohesion", {{"bonded", Cohesion::bonded}, {"fragments", Cohesion::fragments}});
+      stage.debris         = read_debris(section, scene);
+      stage.representation = section.choice<Representation>(
+          "Representation", {{"distended", Representation::distended}, {"packages", Representation::packages}});
+      return stage;
+    }
+
+    /// Without `Introduces` the first stage brings in every body that no other stage does.
+    template <int dim>
+    void
+    introduce_the_rest(const SceneSection &section, const Scene<dim> &scene, std::vector<Stage> &stages)
+    {
+      std::string names;
+      for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        {
+          const auto has = [b](const Stage &stage) {
+            return std::find(stage.introduces.begin(), stage.introduces.end(), b) != stage.introduces.end();
+          };
+          if (std::any_of(stages.begin() + 1, stages.end(), has))
+            continue;
+          stages[0].introduces.push_back(b);
+          names += (names.empty() ? "" : ", ") + scene.bodies[b].name;
+        }
+      section.replace("Introduces", names.empty() ? "none" : names);
+    }
+
+    /// Each body enters once, and only where matter can be laid down beside what is there.
+    template <int dim>
+    void
+    check_introductions(SceneParameters &parameters, const Scene<dim> &scene, const std::vector<Stage> &stages)
+    {
+      std::vector<std::string> introduced_by(scene.bodies.size());
+      for (std::size_t s = 0; s < stages.size(); ++s)
+        {
+          const Stage       &stage = stages[s];
+          const SceneSection section(parameters, path + "/" + stage.name);
+          if (s == 0 && stage.introduces.empty())
+            section.reject("Introduces", "the first stage needs at least one body");
+          if (s > 0 && stage.mode == StageMode::lagrangian && !stage.introduces.empty())
+            section.reject("Introduces", "only the first stage and Eulerian stages can introduce bodies");
+          for (const std::size_t b : stage.introduces)
+            {
+              if (!introduced_by[b].empty())
+                section.reject("Introduces", "body '" + scene.bodies[b].name + "' has already entered in stage '" +
+                                                 introduced_by[b] + "'; allowed is once");
+              introduced_by[b] = stage.name;
+            }
+          if (stage.end.kind == StageEnd::Kind::leading_edge && !introduced_by[stage.end.body].empty())
+            section.reject("End", "body '" + scene.bodies[stage.end.body].name +
+                                      "' is in the scene already; allowed is a body that a later stage introduces");
+        }
+    }
+
+    /// Absolute ends follow one another.
+    void
+    check_times(SceneParameters &parameters, const std::vector<Stage> &stages)
+    {
+      double earliest = 0; // start of the stage, as far as known beforehand
+      for (const Stage &stage : stages)
+        {
+          const SceneSection section(parameters, path + "/" + stage.name);
+          if (stage.end.kind == StageEnd::Kind::after)
+            earliest += stage.end.time;
+          if (stage.end.kind != StageEnd::Kind::at_time)
+            continue;
+          if (!(stage.end.time > earliest))
+            section.reject("End",
+                           "the stage does not start before " + units::format(earliest, units::time) +
+                               "; allowed is a later time (times count from the start of the run), or 'for 2 us'");
+          earliest = stage.end.time;
+        }
+    }
+  } // namespace
+
+  void
+  declare_stages(SceneParameters &parameters, const std::vector<std::string> &names)
+  {
+    SceneSection(parameters, path).declare("List", "", "names of the stages in their order; each has its subsection");
+    for (const std::string &name : names)
+      {
+        SceneSection section(parameters, path + "/" + name);
+        section.declare("Mode", "eulerian", "eulerian (fixed mesh) | lagrangian (the mesh moves with the material)");
+        section.declare("Introduces", name == names.front() ? "" : "none",
+                        "bodies that enter at the start; first stage: not given means all that no other stage lists");
+        section.declare("End", "", "a time '1.5 us' | 'for 2 us' | 'until leading edge reaches BODY'");
+        section.declare("Max time step", "none", "none | a time");
+        section.declare("Lost kinetic energy", "heat",
+                        "what remap and projection cannot keep: heat (into the material) | drop (booked, as in 1993)");
+        section.declare("Cohesion", "bonded", "lagrangian: bonded | fragments (every element for itself)");
+        section.declare("Void cutoff", "99 %", "lagrangian after eulerian: cells with more void are dropped");
+        section.declare(
+            "Minimum axial velocity", "10 %",
+            "lagrangian after eulerian: slower cells are dropped; a velocity, or % of the largest body speed");
+        section.declare("Debris behind", "none",
+                        "lagrangian after eulerian: only material beyond the rear face of this body; none: no limit");
+        section.declare("Representation", "distended",
+                        "eulerian after lagrangian: distended (whole elements) | packages (solid triangles, 1993)");
+      }
+  }
+
+  template <int dim>
+  std::vector<Stage>
+  read_stages(SceneParameters &parameters, const Scene<dim> &scene)
+  {
+    const SceneSection section(parameters, path);
+    std::vector<Stage> stages;
+    for (const std::string &name : section.list("List"))
+      stages.push_back(read_stage(SceneSection(parameters, path + "/" + name), name, scene));
+    if (stages.empty())
+      section.reject("List", "must be given; allowed are one or more names, each with its subsection");
+    const SceneSection first(parameters, path + "/" + stages[0].name);
+    if (!first.given("Introduces"))
+      introduce_the_rest(first, scene, stages);
+    check_introductions(parameters, scene, stages);
+    check_times(parameters, stages);
+    return stages;
+  }
+
+  template std::vector<Stage>
+  read_stages(SceneParameters &, const Scene<2> &);
+} // namespace whipple::sections
