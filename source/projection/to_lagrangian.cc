@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/projection/to_lagrangian.h>
+
+#include <whipple/error.h>
+#include <whipple/projection/cell_totals.h>
+#include <whipple/state/packet_layout.h>
+
+#include <sstream>
+#include <unordered_map>
+
+namespace whipple
+{
+  namespace
+  {
+    template <int dim>
+    std::string
+    place(const FlatMesh<dim> &mesh, Index cell)
+    {
+      std::ostringstream text;
+      text << "cell at (";
+      for (int d = 0; d < dim; ++d)
+        text << (d ? ", " : "") << mesh.lower[d][cell] + 0.5 * mesh.size[cell];
+      text << ") cm";
+      return text.str();
+    }
+
+    /// Volume fraction of all materials in a cell; 1 where it is so to round-off.
+    template <int dim>
+    double
+    fill_fraction(const State<dim> &state, Index cell)
+    {
+      double filled = 0;
+      for (const MaterialState &material : state.material)
+        filled += material.volume[cell];
+      constexpr double round_off = 1e-12;
+      const double     fraction  = filled / state.volume[cell];
+      return fraction > 1. - round_off && fraction < 1. + round_off ? 1. : fraction;
+    }
+
+    template <int dim>
+    void
+    copy_cell(const State<dim> &source, Index from, State<dim> &target, Index to)
+    {
+      constexpr int corners = 1 << dim;
+      for (int k = 0; k < corners; ++k)
+        target.corner_weight[to * corners + k] = source.corner_weight[from * corners + k];
+      target.volume[to] = source.volume[from];
+      for (std::size_t m = 0; m < source.material.size(); ++m)
+        {
+          const MaterialState &a = source.material[m];
+          MaterialState       &b = target.material[m];
+          b.volume[to]           = a.volume[from];
+          b.mass[to]             = a.mass[from];
+          b.density[to]          = a.density[from];
+          b.energy[to]           = a.energy[from];
+          b.pressure[to]         = a.pressure[from];
+          b.sound_speed[to]      = a.sound_speed[from];
+          if (a.has_voids())
+            b.void_fraction[to] = a.void_fraction[from];
+          for (std::size_t f = 0; f < a.fields.size(); ++f)
+            b.fields[f].value[to] = a.fields[f].value[from];
+        }
+    }
+
+    /// Fold open void into the voids of the materials; gamma stays.
+    template <int dim>
+    void
+    fold_open_void(State<dim> &state, Index cell, double fraction)
+    {
+      if (fraction == 1.)
+        return;
+      for (MaterialState &material : state.material)
+        if (material.volume[cell] > 0)
+          {
+            material.volume[cell] /= fraction;
+            material.density[cell] *= fraction;
+            if (material.has_voids())
+              material.void_fraction[cell] = 1. - (1. - material.void_fraction[cell]) * fraction;
+          }
+    }
+
+    template <int dim>
+    void
+    check_fraction(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell, double fraction,
+                   std::span<const std::string> names)
+    {
+      constexpr double tolerance = 1e-10;
+      if (!(fraction > 0) || fraction > 1. + tolerance)
+        throw StateError("projection onto elements: volume fraction " + std::to_string(fraction) + " in the " +
+                         place(mesh, cell));
+      if (fraction == 1.)
+        return;
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        if (state.material[m].volume[cell] > 0 && !state.material[m].has_voids())
+          throw StateError("projection onto elements: material '" + names[m] + "' cannot take up the open void (" +
+                           std::to_string(1. - fraction) + " of the " + place(mesh, cell) +
+                           "): a Lagrangian stage needs a void law in every material");
+    }
+
+    template <int dim>
+    ConservedTotals<dim>
+    owned_totals(const FlatMesh<dim> &mesh, const State<dim> &state, const CornerVelocities<dim> &velocities)
+    {
+      ConservedTotals<dim> totals;
+      for (Index cell = 0; cell < mesh.n_owned; ++cell)
+        totals += cell_totals<dim>(state, velocities, cell);
+      return totals;
+    }
+  } // namespace
+
+  template <int dim>
+  State<dim>
+  to_lagrangian(const FlatMesh<dim> &cells, const State<dim> &eulerian, const FlatMesh<dim> &elements,
+                const Boundaries<dim> &boundaries, KineticLoss loss, std::span<const std::string> names,
+                ToLagrangianReport<dim> &report)
+  {
+    constexpr int                      corners = 1 << dim;
+    std::unordered_map<CellKey, Index> cell_of_key;
+    for (Index cell = 0; cell < cells.n_cells; ++cell)
+      cell_of_key.emplace(cells.key[cell], cell);
+
+    const CornerVelocities<dim> source = corner_velocities<dim>(cells, eulerian);
+    CornerVelocities<dim>       target(elements.n_cells);
+    State<dim>                  state = empty_state_like<dim>(eulerian, elements);
+    for (Index element = 0; element < elements.n_cells; ++element)
+      {
+        const bool is_owned = element < elements.n_owned;
+        const auto found    = cell_of_key.find(elements.key[element]);
+        if (found == cell_of_key.end())
+          {
+            if (is_owned)
+              throw StateError("projection onto elements: no Eulerian cell for the " + place(elements, element));
+            continue;
+          }
+        const Index  cell     = found->second;
+        const double fraction = fill_fraction(eulerian, cell);
+        if (is_owned)
+          check_fraction(cells, eulerian, cell, fraction, names);
+        copy_cell(eulerian, cell, state, element);
+        if (fraction > 0)
+          fold_open_void(state, element, fraction);
+        for (int k = 0; k < corners; ++k)
+          for (int d = 0; d < dim; ++d)
+            {
+              target.velocity[d][element * corners + k] = source.velocity[d][cell * corners + k];
+              state.position[d][elements.cell_node[element * corners + k]] =
+                  eulerian.position[d][cells.cell_node[cell * corners + k]];
+            }
+        target.kinetic_remainder[element] = source.kinetic_remainder[cell];
+      }
+
+    report.before                    = owned_totals(elements, state, target);
+    const GatherReport<dim> gathered = gather_velocities<dim>(elements, boundaries, target, loss, state);
+    report.after                     = owned_totals(elements, state, corner_velocities<dim>(elements, state));
+    report.kinetic_loss              = gathered.kinetic_loss;
+    report.wall_impulse              = gathered.wall_impulse;
+    return state;
+  }
+
+  template State<2>
+  to_lagrangian<2>(const FlatMesh<2> &, const State<2> &, const FlatMesh<2> &, const Boundaries<2> &, KineticLoss,
+                   std::span<const std::string>, ToLagrangianReport<2> &);
+} // namespace whipple
