@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace whipple
+{
+  /// Numerical constants of the Lagrange step; all dimensionless. Equations: doc/theory/lagrange_step.md.
+  struct HydroParameters
+  {
+    double courant             = 0.5;  ///< share of the time a wave needs to cross a cell
+    double linear_viscosity    = 0.3;  ///< c1 of the artificial viscosity
+    double quadratic_viscosity = 1.5;  ///< c2 of the artificial viscosity
+    double hourglass           = 0.25; ///< kappa of the viscous hourglass resistance
+    double max_volume_change   = 0.1;  ///< largest relative volume change of a cell in a step
+  };
+} // namespace whipple

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/cell_kernels.h>
+#include <whipple/hydro/hydro_parameters.h>
+#include <whipple/hydro/node_motion.h>
+#include <whipple/hydro/time_step.h>
+#include <whipple/material/material.h>
+#include <whipple/mesh/boundary.h>
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/fields.h>
+
+#include <vector>
+
+namespace whipple
+{
+  /// What one Lagrange step transformed and exchanged, summed over owned cells; energies in Mbar cm^3.
+  template <int dim>
+  struct LagrangeReport
+  {
+    double      viscous_work   = 0;  ///< kinetic energy turned into heat by the artificial viscosity
+    double      hourglass_work = 0;  ///< kinetic energy turned into heat by the hourglass resistance
+    double      plastic_work   = 0;  ///< work of the deviatoric stress on the plastic strain rate
+    double      boundary_work  = 0;  ///< energy that the sides gave to the material
+    Vector<dim> boundary_momentum{}; ///< g cm/us that the sides gave; radial entry without meaning in r, z
+  };
+
+  /// Set state.volume [n_cells] and state.corner_weight [n_cells * corners] from state.position.
+  /// @throws StateError if an owned cell has no positive volume.
+  template <int dim>
+  void
+  initialise_geometry(const FlatMesh<dim> &mesh, State<dim> &state);
+
+  /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
+  /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
+  ///
+  /// One object serves one mesh; it owns all work arrays, so a step allocates nothing. All methods run over
+  /// owned and halo cells; only owned cells are reported and can throw.
+  template <int dim>
+  class LagrangeStep
+  {
+  public:
+    /// mesh and materials are kept by reference and must outlive the object.
+    LagrangeStep(const FlatMesh<dim> &mesh, const std::vector<Material> &materials, const Boundaries<dim> &boundaries,
+                 const HydroParameters &parameters);
+
+    /// Lumped node masses, g: corner weights times the mass of the cell; hanging nodes give theirs to
+    /// their masters.
+    void
+    update_node_mass(State<dim> &state) const;
+
+    /// Bulk pressure (1 - phi) P_s(gamma, e), Mbar, and frozen sound speed, cm/us, of every material in
+    /// every cell (0 where there is no mass). Where the equation of state gives c^2 < 0 the speed is 0.
+    void
+    update_pressure(State<dim> &state) const;
+
+    /// The largest time step that the owned cells allow.
+    TimeStepLimit
+    time_step(const State<dim> &state) const;
+
+    /// Move the state by dt [us]. Needs node_mass, pressure and sound_speed up to date; leaves pressure and
+    /// sound_speed up to date. Strong guarantee: when it throws, the state is as before.
+    /// @throws StateError if the volume of an owned cell or of a material in it would not stay positive.
+    LagrangeReport<dim>
+    advance(State<dim> &state, double dt);
+
+  private:
+    /// gamma = rho / (1 - phi) of a material into true_density_; reference density where there is no mass.
+    void
+    evaluate_true_density(const MaterialState &state, const Material &material) const;
+
+    /// Shear modulus and yield stress of every material with strength into work_.
+    void
+    evaluate_strength(const State<dim> &state) const;
+
+    void
+    advance_voids(const State<dim> &state, double dt);
+
+    /// Swap the next values into the state.
+    void
+    commit(State<dim> &state, double dt);
+
+    const FlatMesh<dim>         &mesh_;
+    const std::vector<Material> &materials_;
+    HydroParameters              parameters_;
+    NodeMotion<dim>              motion_;
+    mutable StepWork<dim>        work_;
+
+    mutable std::vector<double> true_density_; ///< gamma handed to the equation of state
+    std::vector<double>         no_energy_;    ///< e = 0 of isothermal materials; empty if there is none
+  };
+} // namespace whipple

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/step_work.h>
+#include <whipple/material/material.h>
+#include <whipple/mesh/boundary.h>
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/fields.h>
+
+#include <vector>
+
+namespace whipple
+{
+  /// What the sides of the domain gave to the nodes of owned cells in a step.
+  template <int dim>
+  struct BoundaryExchange
+  {
+    double      work = 0;   ///< Mbar cm^3
+    Vector<dim> momentum{}; ///< g cm/us
+  };
+
+  /// Nodes: forces from corners, sides of the domain, velocity and position.
+  template <int dim>
+  class NodeMotion
+  {
+  public:
+    NodeMotion(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries);
+
+    /// work.half_position = x + dt/2 v.
+    void
+    predict(const State<dim> &state, double dt, StepWork<dim> &work) const;
+
+    /// Force of absorbing (Lysmer) sides on their nodes into the object's own array: -rho c v_n and, with
+    /// strength, -rho c_s v_t per unit area of material, but no more than the force of the cell on that face
+    /// where that is small beside it: what carries no stress leaves freely. Needs work.corner_force.
+    void
+    absorb(const State<dim> &state, const StepWork<dim> &work);
+
+    /// Sum corner forces over nodes (hanging nodes hand theirs to their masters), accelerate, apply the sides,
+    /// move: work.velocity, work.mean_velocity, work.position.
+    BoundaryExchange<dim>
+    move(const State<dim> &state, double dt, StepWork<dim> &work) const;
+
+  private:
+    /// A face of a cell on a transmitting side.
+    struct AbsorbingFace
+    {
+      Index              cell;
+      int                axis;
+      std::array<int, 2> corner; ///< corners of the cell on the face
+    };
+    /// A node whose velocity a side prescribes.
+    struct ConstrainedNode
+    {
+      Index                 node;
+      bool                  owned;    ///< first corner of the node belongs to an owned cell
+      std::array<bool, dim> fixed;    ///< which components
+      Vector<dim>           velocity; ///< to which value
+    };
+
+    void
+    sum_corner_forces(StepWork<dim> &work) const;
+
+    const FlatMesh<dim>                 &mesh_;
+    std::vector<AbsorbingFace>           absorbing_;
+    std::vector<ConstrainedNode>         constrained_;
+    std::vector<Index>                   traction_node_; ///< nodes of absorbing faces, in ascending order
+    std::array<std::vector<double>, dim> traction_;      ///< [n_nodes] Mbar cm^2; empty without absorbing faces
+    std::vector<std::uint8_t>            node_owned_;    ///< first corner belongs to an owned cell
+  };
+} // namespace whipple

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/hydro_parameters.h>
+#include <whipple/hydro/step_work.h>
+
+#include <string>
+
+namespace whipple
+{
+  /// The largest stable time step and what set it.
+  struct TimeStepLimit
+  {
+    double      dt;          ///< us; infinity where no owned cell holds material that carries sound
+    std::string reason;      ///< "sound", "viscosity" or "volume change"
+    Index       cell = none; ///< the cell that set it
+  };
+
+  /// Smallest over owned cells with material of courant L / (d + sqrt(d^2 + c^2)) and
+  /// max_volume_change / |div v|; d = 2 c2 |du| + c1 c in compression.
+  /// @param work shear moduli up to date
+  template <int dim>
+  TimeStepLimit
+  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+                 const StepWork<dim> &work);
+} // namespace whipple

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/fields.h>
+
+#include <mpi.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace whipple
+{
+  /// What field files hold and how.
+  struct FieldOutputOptions
+  {
+    bool hdf5        = true;  ///< DIR/fields.xdmf and DIR/fields/fields-NNNNN.h5
+    bool vtu         = false; ///< DIR/fields/fields-NNNNN.vtu
+    bool empty_cells = false; ///< also active cells without material
+  };
+
+  /// Fields of a run for ParaView: DIR/fields.xdmf is the time series of the whole chain of stages,
+  /// DIR/fields/fields-NNNNN.h5 the data of one time. Elements are drawn where the nodes are (deformed in a
+  /// Lagrangian stage); cell fields are one value a cell (XDMF attributes on cells, single precision), velocity
+  /// sits on the nodes. Every rank writes its own nodes: those on the border of two ranks are there twice.
+  ///
+  /// HDF5 goes through deal.II's HDF5 interface and not through DataOutInterface::write_hdf5_parallel: that one
+  /// stores each value once a corner and in double precision (eight times the bytes) and crashes on ranks
+  /// without cells in deal.II 9.4.
+  template <int dim>
+  class FieldOutput
+  {
+  public:
+    /// @param material_names one a material of the states to come, as they shall appear in field names.
+    FieldOutput(std::string directory, std::vector<std::string> material_names, FieldOutputOptions options,
+                MPI_Comm communicator);
+
+    /// Write owned cells of the state at state.time under the name of its stage, and the series. Collective.
+    /// Nothing is written where no rank has a cell to show.
+    void
+    write(const FlatMesh<dim> &mesh, const State<dim> &state, std::string_view stage);
+
+    /// Number of times written so far.
+    int
+    count() const
+    {
+      return count_;
+    }
+
+  private:
+    std::string              directory_;
+    std::vector<std::string> material_names_;
+    FieldOutputOptions       options_;
+    MPI_Comm                 communicator_;
+    std::vector<std::string> series_;    ///< XDMF grid of each time
+    int                      count_ = 0; ///< number of the next files
+  };
+
+  /// Write everything a rank holds in its owned cells, in double precision and with cell keys, masses and
+  /// volumes: directory/last_good_state/rank-NNNNN.h5 with an .xdmf to look at it, and README.txt (rank 0) that
+  /// says why. Not collective: works on whatever ranks still can.
+  template <int dim>
+  void
+  write_last_good_state(const std::string &directory, const FlatMesh<dim> &mesh, const State<dim> &state,
+                        const std::vector<std::string> &material_names, std::string_view stage, std::string_view reason,
+                        MPI_Comm communicator);
+} // namespace whipple

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/fields.h>
+
+#include <string>
+#include <vector>
+
+namespace whipple
+{
+  /// One scalar a cell, ready to be written.
+  struct CellField
+  {
+    std::string         name; ///< "pressure", "aluminium plastic strain"
+    std::string         unit; ///< "Mbar"; "1" for pure numbers
+    std::vector<double> value;
+  };
+
+  /// What one rank shows of its state at one time: the chosen cells, the nodes they use, renumbered from 0.
+  template <int dim>
+  struct Snapshot
+  {
+    static constexpr int corners = 1 << dim;
+
+    double                 time = 0;  ///< us
+    std::vector<double>    position;  ///< [n_nodes * dim] cm
+    std::vector<double>    velocity;  ///< [n_nodes * 3] cm/us, the third component 0 in two dimensions
+    std::vector<Index>     cell_node; ///< [n_cells * corners], lexicographic
+    std::vector<CellField> fields;    ///< [n_cells] each; the same list on every rank
+
+    std::size_t
+    n_nodes() const
+    {
+      return position.size() / dim;
+    }
+    std::size_t
+    n_cells() const
+    {
+      return cell_node.size() / corners;
+    }
+  };
+
+  /// Which cells a snapshot shows and how much of them.
+  struct SnapshotOptions
+  {
+    bool empty_cells = false; ///< also cells without material
+    bool everything  = false; ///< also what identifies and restores a cell: lattice point, volumes, masses
+    int  rank        = 0;     ///< value of the field "rank"
+  };
+
+  /// Collect owned cells of a state. Fields of the cell: density (mass of all materials / cell volume), pressure
+  /// (volume weighted; open void counts 0), solid fraction (volume without pores and open void / cell volume),
+  /// level, rank. Of each material m, named `material_names[m] + " ..."`: volume fraction, density (bulk), true
+  /// density rho / (1 - phi), pressure, energy, void fraction where it has one, and every registered field.
+  template <int dim>
+  Snapshot<dim>
+  take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<std::string> &material_names,
+                const SnapshotOptions &options);
+} // namespace whipple

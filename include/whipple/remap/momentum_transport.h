@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/boundary.h>
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/remap/dual_flux.h>
+#include <whipple/remap/node_topology.h>
+#include <whipple/remap/remap_report.h>
+#include <whipple/remap/sweep_topology.h>
+#include <whipple/state/fields.h>
+
+#include <array>
+#include <vector>
+
+namespace whipple
+{
+  /// Momentum by dual mass fluxes between nodes (doc/theory/remap.md). Every face flux is shared out to the nodes of
+  /// the face, where it stays within the node; inside a cell, fluxes along its edges restore the corners' shares of
+  /// the new cell mass. Those edge fluxes carry the limited upwind velocity from node to node: momentum is exact, and
+  /// with donor velocities every new velocity is a convex combination of old ones.
+  template <int dim>
+  class MomentumTransport
+  {
+  public:
+    MomentumTransport(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const RemapParameters &parameters);
+
+    /// Update node velocities and masses, and heat the material by the kinetic energy lost if so chosen.
+    /// @param mass_flux   [face + 1] of all materials, along + axis
+    /// @param mass_before, mass_after [cell] of all materials, around the sweep
+    void
+    move(State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &mass_flux,
+         const std::vector<double> &mass_before, const std::vector<double> &mass_after, RemapReport<dim> &report);
+
+  private:
+    /// Sums over the fluxes F (inwards positive) of velocity u relative to the node's: F u and F u^2.
+    struct Exchange
+    {
+      double      inflow = 0;
+      Vector<dim> momentum{};
+      double      square = 0;
+    };
+
+    /// New velocity of a node: reference + velocity.
+    struct Change
+    {
+      Vector<dim> reference{};
+      Vector<dim> velocity{};
+      Exchange    exchange; ///< relative to the reference
+    };
+
+    void
+    upwind_velocities(const State<dim> &state, int axis);
+    void
+    reconstruct(const State<dim> &state, int axis, Index node);
+    void
+    mix_drained_nodes(const State<dim> &state, int axis);
+    void
+    add_flux(Index from, const std::array<std::vector<double>, dim> &upwind, double flux, double excess,
+             const Vector<dim> &velocity, Exchange &exchange) const;
+    void
+    gather_interior(int axis, Index node, const Vector<dim> &velocity, Exchange &exchange) const;
+    void
+    gather_special(int axis, Index node, Index corner_node, double share, const Vector<dim> &velocity,
+                   Exchange &exchange) const;
+    void
+    gather(const State<dim> &state, int axis, Index node, const Vector<dim> &velocity, Exchange &exchange) const;
+    void
+    gather_drained(const State<dim> &state, int axis, Index node, const Vector<dim> &velocity,
+                   Exchange &exchange) const;
+    Vector<dim>
+    first_velocity(int axis, Index node) const;
+    void
+    change_of(const State<dim> &state, int axis, Index node, const Vector<dim> *mixed, Change &change) const;
+    void
+    constrain(Index node, Change &change, RemapReport<dim> &report) const;
+    void
+    book_loss(Index node, int axis, double loss, RemapReport<dim> &report) const;
+    void
+    update_nodes(State<dim> &state, int axis, RemapReport<dim> &report);
+    void
+    book_boundaries(const State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &mass_flux,
+                    RemapReport<dim> &report) const;
+    void
+    heat_cells(State<dim> &state, const std::vector<double> &mass_after, RemapReport<dim> &report) const;
+
+    /// Whether this rank counts the node in sums over all nodes.
+    bool
+    counts(const Index node) const
+    {
+      return mesh_->node_corner[mesh_->node_corner_begin[node]] / FlatMesh<dim>::corners < mesh_->n_owned;
+    }
+
+    const FlatMesh<dim>  *mesh_;
+    const Boundaries<dim> boundaries_;
+    const RemapParameters parameters_;
+
+    const NodeTopology<dim> nodes_;
+    DualFlux<dim>           dual_;
+
+    std::array<std::vector<double>, dim> up_, down_;     ///< velocity of what leaves a node along + axis, - axis
+    std::vector<double>                  excess_;        ///< kinetic energy a gram that what leaves does not carry on
+    std::vector<Index>                   drained_;       ///< nodes that give away more than they held
+    std::vector<Vector<dim>>             mixed_;         ///< their velocities after mixing with the inflow
+    std::vector<double>                  specific_loss_; ///< [node] kinetic energy lost a gram of the node
+  };
+} // namespace whipple

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/index.h>
+
+#include <array>
+
+namespace whipple
+{
+  /// Choices of the remap.
+  struct RemapParameters
+  {
+    bool second_order = true; ///< limited linear reconstruction; false: donor values
+    bool kinetic_loss_to_heat =
+        true; ///< kinetic energy lost by the remap heats the material; false: dropped (1993), only booked
+    double flotsam_fraction = 1e-6; ///< a donor that would keep less than this share of its volume gives all
+    double advection_limit  = 0.45; ///< largest displacement of a node in a step, in edges of the cells around it
+  };
+
+  /// What crossed one side of the domain outwards (inwards: negative).
+  template <int dim>
+  struct SideFlux
+  {
+    double      mass = 0;     ///< g
+    Vector<dim> momentum{};   ///< g cm/us; includes what a wall took from nodes that cannot move into it
+    double      kinetic  = 0; ///< Mbar cm^3
+    double      internal = 0; ///< Mbar cm^3
+  };
+
+  /// Ledger entries of remap sweeps on this rank's owned cells; sums of reports over sweeps and ranks are
+  /// global totals:  kinetic_after = kinetic_before - kinetic_lost - sum of sides' kinetic,
+  /// internal_after = internal_before + kinetic_heated - sum of sides' internal.
+  template <int dim>
+  struct RemapReport
+  {
+    std::array<SideFlux<dim>, 2 * dim> side{};             ///< 2 * axis + {0 lower, 1 upper}
+    double                             kinetic_lost   = 0; ///< by mixing momentum, Mbar cm^3
+    double                             kinetic_heated = 0; ///< part of kinetic_lost given to internal energy, Mbar cm^3
+    double                             flotsam_mass   = 0; ///< given away by donors left almost empty, g
+    Index                              flotsam_cells  = 0;
+    double                             compressed     = 0; ///< volume by which overfull cells were cut back, cm^3
+
+    RemapReport &
+    operator+=(const RemapReport &other)
+    {
+      for (int s = 0; s < 2 * dim; ++s)
+        {
+          side[s].mass += other.side[s].mass;
+          side[s].kinetic += other.side[s].kinetic;
+          side[s].internal += other.side[s].internal;
+          for (int d = 0; d < dim; ++d)
+            side[s].momentum[d] += other.side[s].momentum[d];
+        }
+      kinetic_lost += other.kinetic_lost;
+      kinetic_heated += other.kinetic_heated;
+      flotsam_mass += other.flotsam_mass;
+      flotsam_cells += other.flotsam_cells;
+      compressed += other.compressed;
+      return *this;
+    }
+  };
+} // namespace whipple

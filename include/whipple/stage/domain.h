@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/forest.h>
+#include <whipple/stage/field_layout.h>
+#include <whipple/state/velocity_gather.h>
+
+#include <memory>
+#include <vector>
+
+namespace whipple
+{
+  /// Where a run stands: the forest over the scene, the flat view of its active part, and the state on it.
+  /// The view lives on the heap because halo and kernels keep its address.
+  template <int dim>
+  struct Domain
+  {
+    Forest<dim>                         forest;
+    std::unique_ptr<FlatPartition<dim>> view;
+    State<dim>                          state;
+
+    MPI_Comm
+    communicator() const
+    {
+      return forest.communicator();
+    }
+  };
+
+  /// Bring the cells' contents of a state up to date in the halo.
+  template <int dim>
+  void
+  exchange_cells(const FieldLayout &layout, const Halo<dim> &halo, State<dim> &state);
+
+  /// Bring corner velocities and kinetic remainders up to date in the halo.
+  template <int dim>
+  void
+  exchange_corners(const Halo<dim> &halo, CornerVelocities<dim> &corners);
+} // namespace whipple

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/stage/ledger.h>
+#include <whipple/stage/regridding.h>
+
+namespace whipple
+{
+  /// How one stage hands its material to the next: the projections, with all bookkeeping.
+  template <int dim>
+  class Handover
+  {
+  public:
+    Handover(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding);
+
+    /// Make the domain ready for a stage: bodies that enter are painted, projections run where the mode changes.
+    /// @param previous the stage before, null for the first
+    void
+    enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+  private:
+    /// Empty forest: mesh around the bodies, bodies into it.
+    void
+    start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+    /// Elements and entering bodies onto a new Eulerian mesh.
+    void
+    lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+    /// Cells become elements; of an Eulerian stage's material only the debris goes on, the rest is dropped.
+    void
+    take_up(const Stage &stage, bool select, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+    void
+    paint(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+    const Scene<dim>      &scene_;
+    const FieldLayout     &layout_;
+    const Regridding<dim> &regridding_;
+  };
+} // namespace whipple

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/refinement_map.h>
+#include <whipple/scene/scene.h>
+#include <whipple/stage/field_layout.h>
+#include <whipple/state/velocity_gather.h>
+
+#include <span>
+
+namespace whipple
+{
+  /// Ask for the finest level wherever one of these bodies is.
+  template <int dim>
+  void
+  request_bodies(const Scene<dim> &scene, std::span<const std::size_t> bodies, RefinementMap<dim> &map);
+
+  /// Put bodies into the cells of a state, beside what they hold already: exact true volumes of the cut cells,
+  /// uniform density, energy and velocity of each body; then make nodes of the corner velocities (where bodies
+  /// of different velocity share a node, momentum is kept and the kinetic energy lost heats the cells).
+  /// Energy deposits are added to the leaf that holds their point.
+  /// @throws StateError if a deposit finds no material.
+  template <int dim>
+  GatherReport<dim>
+  paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
+               const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state);
+} // namespace whipple

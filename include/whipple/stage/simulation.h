@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/output/summary.h>
+#include <whipple/stage/handover.h>
+#include <whipple/stage/reporter.h>
+
+namespace whipple
+{
+  /// A run: the chain of a scene's stages from first contact to the wall, with its output directory.
+  template <int dim>
+  class Simulation
+  {
+  public:
+    /// @param directory output directory, prepared
+    /// @param live      refresh the progress line on the terminal in place
+    Simulation(const Scene<dim> &scene, const std::string &directory, bool live, MPI_Comm communicator);
+
+    /// Run all stages. summary.json is written in any case.
+    /// @throws StateError where physics or numerics stopped the run; the last good state is on disk.
+    void
+    run();
+
+    /// Where the run stands.
+    const Domain<dim> &
+    domain() const
+    {
+      return domain_;
+    }
+    const Ledger<dim> &
+    ledger() const
+    {
+      return ledger_;
+    }
+    const summary::Summary &
+    summary() const
+    {
+      return summary_;
+    }
+
+  private:
+    void
+    run_stage(std::size_t number);
+    void
+    measure_plates(const Stage &stage);
+    void
+    measure_cloud(const Stage &stage, const std::string &prefix);
+    void
+    write_summary();
+
+    Scene<dim>        scene_;
+    FieldLayout       layout_;
+    std::string       directory_;
+    Regridding<dim>   regridding_;
+    Handover<dim>     handover_;
+    Reporter<dim>     reporter_;
+    Domain<dim>       domain_;
+    Ledger<dim>       ledger_;
+    summary::Summary  summary_;
+    double            wall_start_;
+    std::vector<bool> entered_; ///< bodies that have entered so far
+  };
+} // namespace whipple

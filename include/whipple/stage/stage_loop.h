@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/output/summary.h>
+#include <whipple/stage/cycle.h>
+#include <whipple/stage/regridding.h>
+#include <whipple/stage/reporter.h>
+
+#include <memory>
+
+namespace whipple
+{
+  /// Steps one stage from its first to its last instant: time steps, regrids, retries, news.
+  template <int dim>
+  class StageLoop
+  {
+  public:
+    StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding, const Stage &stage,
+              int number, Reporter<dim> &reporter);
+
+    /// @param counts retries and releases are added to it
+    /// @returns what the summary says of the stage
+    /// @throws StateError on all ranks, after the last good state has been restored to `domain` and written
+    summary::Stage
+    run(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+
+  private:
+    /// What a failed step goes back to.
+    struct Snapshot
+    {
+      State<dim>  state;
+      Ledger<dim> ledger;
+      long        step = 0;
+    };
+
+    void
+    new_mesh(Domain<dim> &domain);
+    void
+    regrid(Domain<dim> &domain, Ledger<dim> &ledger);
+    void
+    release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    bool
+    guard_touched(const Domain<dim> &domain) const;
+    double
+    choose_time_step(const Domain<dim> &domain, double left);
+    double
+    time_left(const Domain<dim> &domain);
+    void
+    step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left);
+    void
+    take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger);
+    void
+    go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error);
+
+    const Scene<dim>      &scene_;
+    const FieldLayout     &layout_;
+    const Regridding<dim> &regridding_;
+    const Stage           &stage_;
+    int                    number_;
+    Reporter<dim>         &reporter_;
+
+    std::unique_ptr<Cycle<dim>> cycle_;
+    std::vector<Index>          guard_;
+    Snapshot                    snapshot_;
+    summary::Stage              record_;
+    AgreedTimeStep              limit_{};
+    double                      end_time_     = 0; ///< us; of stages that end at a time
+    double                      start_point_  = 0; ///< cm; foremost point at the start
+    double                      last_dt_      = 0; ///< us; 0 before the first step
+    double                      caution_      = 1; ///< factor on the time step after a retry
+    long                        cells_        = 0; ///< active cells of all ranks
+    long                        since_regrid_ = 0;
+    int                         retries_      = 0; ///< since the last snapshot
+  };
+} // namespace whipple

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <whipple/error.h>
+#include <whipple/hydro/lagrange_step.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Cell across subface `half` of one side of a cell, as StepWork::Neighbours has it.
+    template <int dim>
+    Index
+    neighbour(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, Index cell, int side, int half)
+    {
+      if (mesh.cell_face[side].empty())
+        return mesh.n_cells;
+      const Index *subface = &mesh.cell_face[side][cell * FlatMesh<dim>::subfaces];
+      const Index  face    = subface[half] == none ? subface[0] : subface[half];
+      if (face == none)
+        return mesh.n_cells;
+      const auto &faces  = mesh.faces[side / 2];
+      const Index across = faces.cell[side % 2][face];
+      if (across != none)
+        return across;
+      const int  domain_side = faces.side[face];
+      const bool mirror      = domain_side >= 0 && boundaries[domain_side].kind != BoundaryKind::transmitting;
+      return mirror ? cell : mesh.n_cells;
+    }
+
+    template <int dim>
+    StepWork<dim>
+    make_work(const FlatMesh<dim> &mesh, const std::vector<Material> &materials, const Boundaries<dim> &boundaries)
+    {
+      StepWork<dim> work;
+      for (auto *nodal : {&work.half_position, &work.position, &work.velocity, &work.mean_velocity, &work.node_force})
+        for (auto &component : *nodal)
+          component.resize(mesh.n_nodes);
+      for (auto &component : work.stretch_rate)
+        component.assign(mesh.n_cells + 1, 0.);
+      work.mass.resize(mesh.n_cells);
+      work.corner_force.resize(static_cast<std::size_t>(mesh.n_cells) * FlatMesh<dim>::corners * dim);
+      work.volume.resize(mesh.n_cells);
+      work.half_step.resize(pack_count(mesh.n_cells));
+
+      work.neighbours.resize(mesh.n_cells);
+      for (Index cell = 0; cell < mesh.n_cells; ++cell)
+        for (int i = 0; i < 8; ++i)
+          {
+            const Index other        = neighbour(mesh, boundaries, cell, i / 2, i % 2);
+            work.neighbours[cell][i] = other;
+            work.has_neighbours      = work.has_neighbours || other != mesh.n_cells;
+          }
+      if (!work.has_neighbours)
+        work.neighbours = {};
+
+      work.material.resize(materials.size());
+      work.mixed_part.reserve(materials.size());
+      work.mixed_volume.reserve(materials.size());
+      for (std::size_t m = 0; m < materials.size(); ++m)
+        {
+          MaterialWork &next = work.material[m];
+          for (auto *array : {&next.volume, &next.density, &next.energy})
+            array->resize(mesh.n_cells);
+          if (materials.size() > 1)
+            next.half_pressure.resize(mesh.n_cells);
+          if (materials[m].void_law)
+            next.void_fraction.resize(mesh.n_cells);
+          if (!materials[m].strength)
+            continue;
+          work.has_strength = true;
+          for (auto *array : {&next.shear_modulus, &next.yield_stress, &next.stress[0], &next.stress[1],
+                              &next.stress[2], &next.plastic_strain})
+            array->resize(mesh.n_cells);
+        }
+      return work;
+    }
+
+    /// Volume of one cell from the positions of its nodes.
+    template <int dim>
+    double
+    cell_volume(const FlatMesh<dim> &mesh, const geometry::Quad &x)
+    {
+      return mesh.symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
+                                               : geometry::volume<Symmetry::axisymmetric>(x);
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  initialise_geometry(const FlatMesh<dim> &mesh, State<dim> &state)
+  {
+    state.volume.resize(mesh.n_cells);
+    state.corner_weight.resize(static_cast<std::size_t>(mesh.n_cells) * FlatMesh<dim>::corners);
+    for (Index cell = 0; cell < mesh.n_cells; ++cell)
+      {
+        geometry::Quad x;
+        for (int k = 0; k < 4; ++k)
+          for (int d = 0; d < dim; ++d)
+            x[d][k] = state.position[d][mesh.cell_node[cell * 4 + k]];
+        state.volume[cell] = cell_volume(mesh, x);
+        if (cell < mesh.n_owned && !(state.volume[cell] > 0))
+          throw StateError("cell " + std::to_string(cell) + " (key " + std::to_string(mesh.key[cell]) +
+                           ") has volume " + std::to_string(state.volume[cell]) + " cm^3");
+        const auto corner = mesh.symmetry == Symmetry::planar ? geometry::corner_volume<Symmetry::planar>(x)
+                                                              : geometry::corner_volume<Symmetry::axisymmetric>(x);
+        for (int k = 0; k < 4; ++k)
+          state.corner_weight[cell * 4 + k] = corner[k] / state.volume[cell];
+      }
+  }
+
+  template <int dim>
+  LagrangeStep<dim>::LagrangeStep(const FlatMesh<dim> &mesh, const std::vector<Material> &materials,
+                                  const Boundaries<dim> &boundaries, const HydroParameters &parameters)
+    : mesh_(mesh)
+    , materials_(materials)
+    , parameters_(parameters)
+    , motion_(mesh, boundaries)
+    , work_(make_work(mesh, materials, boundaries))
+    , true_density_(mesh.n_cells)
+  {
+    if (std::any_of(materials.begin(), materials.end(), [](const Material &material) { return material.isothermal; }))
+      no_energy_.assign(mesh.n_cells, 0.);
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::update_node_mass(State<dim> &state) const
+  {
+    state.node_mass.assign(mesh_.n_nodes, 0.);
+    for (Index node = 0; node < mesh_.n_nodes; ++node)
+      for (Index i = mesh_.node_corner_begin[node]; i < mesh_.node_corner_begin[node + 1]; ++i)
+        {
+          const Index corner = mesh_.node_corner[i];
+          double      mass   = 0;
+          for (const MaterialState &material : state.material)
+            mass += material.mass[corner / FlatMesh<dim>::corners];
+          state.node_mass[node] += state.corner_weight[corner] * mass;
+        }
+    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
+      {
+        double &hanging = state.node_mass[mesh_.hanging[i]];
+        for (const Index master : mesh_.master[i])
+          state.node_mass[master] += 0.5 * hanging;
+        hanging = 0;
+      }
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::evaluate_true_density(const MaterialState &state, const Material &material) const
+  {
+    const double reference = material.eos->reference_density();
+    const Index  n         = mesh_.n_cells;
+    if (state.has_voids())
+      for (Index cell = 0; cell < n; ++cell)
+        true_density_[cell] =
+            state.density[cell] > 0 ? state.density[cell] / (1. - state.void_fraction[cell]) : reference;
+    else
+      for (Index cell = 0; cell < n; ++cell)
+        true_density_[cell] = state.density[cell] > 0 ? state.density[cell] : reference;
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::update_pressure(State<dim> &state) const
+  {
+    for (std::size_t m = 0; m < materials_.size(); ++m)
+      {
+        MaterialState &material = state.material[m];
+        evaluate_true_density(material, materials_[m]);
+        materials_[m].eos->evaluate(true_density_, materials_[m].isothermal ? no_energy_ : material.energy,
+                                    material.pressure, material.sound_speed);
+        if (material.has_voids())
+          for (Index cell = 0; cell < mesh_.n_cells; ++cell)
+            material.pressure[cell] *= 1. - material.void_fraction[cell];
+        for (Index cell = 0; cell < mesh_.n_cells; ++cell)
+          {
+            const bool there           = material.mass[cell] > 0;
+            material.pressure[cell]    = there ? material.pressure[cell] : 0.;
+            material.sound_speed[cell] = there ? std::sqrt(std::max(material.sound_speed[cell], 0.)) : 0.;
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::evaluate_strength(const State<dim> &state) const
+  {
+    if (!work_.has_strength)
+      return;
+    const FieldIndex &index = state.index;
+    if (index.stress_00 < 0 || index.stress_11 < 0 || index.stress_01 < 0 || index.plastic_strain < 0)
+      throw StateError("a material has strength but the state carries no deviatoric stress or plastic strain");
+    for (std::size_t m = 0; m < materials_.size(); ++m)
+      if (materials_[m].strength)
+        {
+          const MaterialState &material = state.material[m];
+          evaluate_true_density(material, materials_[m]);
+          materials_[m].strength->evaluate(true_density_, material.energy, material.fields[index.plastic_strain].value,
+                                           work_.material[m].shear_modulus, work_.material[m].yield_stress);
+        }
+  }
+
+  template <int dim>
+  TimeStepLimit
+  LagrangeStep<dim>::time_step(const State<dim> &state) const
+  {
+    evaluate_strength(state);
+    return find_time_step(mesh_, state, parameters_, work_);
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::advance_voids(const State<dim> &state, double dt)
+  {
+    for (std::size_t m = 0; m < materials_.size(); ++m)
+      if (materials_[m].void_law)
+        {
+          MaterialWork &next = work_.material[m];
+          std::copy(state.material[m].void_fraction.begin(), state.material[m].void_fraction.end(),
+                    next.void_fraction.begin());
+          materials_[m].void_law->advance(*materials_[m].eos, dt, next.density,
+                                          materials_[m].isothermal ? no_energy_ : next.energy, next.void_fraction);
+        }
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::commit(State<dim> &state, double dt)
+  {
+    state.time += dt;
+    state.volume.swap(work_.volume);
+    for (int d = 0; d < dim; ++d)
+      {
+        state.position[d].swap(work_.position[d]);
+        state.velocity[d].swap(work_.velocity[d]);
+      }
+    for (std::size_t m = 0; m < materials_.size(); ++m)
+      {
+        MaterialState &material = state.material[m];
+        MaterialWork  &next     = work_.material[m];
+        material.volume.swap(next.volume);
+        material.density.swap(next.density);
+        material.energy.swap(next.energy);
+        if (materials_[m].void_law)
+          material.void_fraction.swap(next.void_fraction);
+        if (!materials_[m].strength)
+          continue;
+        material.fields[state.index.stress_00].value.swap(next.stress[0]);
+        material.fields[state.index.stress_11].value.swap(next.stress[1]);
+        material.fields[state.index.stress_01].value.swap(next.stress[2]);
+        material.fields[state.index.plastic_strain].value.swap(next.plastic_strain);
+      }
+  }
+
+  template <int dim>
+  LagrangeReport<dim>
+  LagrangeStep<dim>::advance(State<dim> &state, double dt)
+  {
+    evaluate_strength(state);
+    motion_.predict(state, dt, work_);
+    cell_kernels::stretch_rates(mesh_, state, work_);
+    cell_kernels::corner_forces(mesh_, state, parameters_, dt, work_);
+    motion_.absorb(state, work_);
+    const BoundaryExchange<dim>     exchange    = motion_.move(state, dt, work_);
+    const cell_kernels::Dissipation dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
+    advance_voids(state, dt);
+
+    commit(state, dt);
+    update_pressure(state);
+    return {dissipation.viscous, dissipation.hourglass, dissipation.plastic, exchange.work, exchange.momentum};
+  }
+
+  template void
+  initialise_geometry<2>(const FlatMesh<2> &, State<2> &);
+  template class LagrangeStep<2>;
+} // namespace whipple

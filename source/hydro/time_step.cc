@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <whipple/hydro/time_step.h>
+#include <whipple/hydro/velocity_gradient.h>
+#include <whipple/hydro/viscosity.h>
+
+#include <limits>
+#include <numbers>
+
+namespace whipple
+{
+  namespace
+  {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+    /// Smallest extent of a quadrilateral, cm: its area over its longest side or diagonal / sqrt(2).
+    Pack
+    smallest_extent(const geometry::QuadOf<Pack> &x)
+    {
+      const auto square = [&x](int a, int b) -> Pack {
+        const Pack d0 = x[0][b] - x[0][a], d1 = x[1][b] - x[1][a];
+        return d0 * d0 + d1 * d1;
+      };
+      const Pack sides    = max(max(square(0, 1), square(2, 3)), max(square(0, 2), square(1, 3)));
+      const Pack diagonal = 0.5 * max(square(0, 3), square(1, 2));
+      return geometry::volume<Symmetry::planar>(x) / sqrt(max(sides, diagonal));
+    }
+
+    /// Square of the fastest wave among the materials of each cell, cm^2/us^2; 0 without material.
+    template <int dim>
+    Pack
+    fastest_wave_squared(const State<dim> &state, const StepWork<dim> &work, Index first)
+    {
+      Pack fastest(0.);
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        {
+          const MaterialState &material = state.material[m];
+          const auto           there    = load(material.mass, first) > 0.;
+          const Pack           c        = load(material.sound_speed, first);
+          Pack                 square   = c * c;
+          if (!work.material[m].shear_modulus.empty())
+            {
+              Pack inverse_density = 1. / load(material.density, first);
+              if (material.has_voids())
+                inverse_density *= 1. - load(material.void_fraction, first);
+              square += 4. / 3. * load(work.material[m].shear_modulus, first) * inverse_density;
+            }
+          fastest = max(fastest, select(there, square, Pack(0.)));
+        }
+      return fastest;
+    }
+
+    template <Symmetry symmetry, int dim>
+    TimeStepLimit
+    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+                       const StepWork<dim> &work)
+    {
+      TimeStepLimit limit{unlimited, "sound", none};
+      for (Index first = 0; first < mesh.n_owned; first += pack_size)
+        {
+          const Pack c2    = fastest_wave_squared(state, work, first);
+          const auto there = c2 > 0. && lanes_below(first, mesh.n_owned);
+          if (none_of(there))
+            continue;
+          const geometry::QuadOf<Pack> x          = gather_corners(mesh, state.position, first);
+          const geometry::QuadOf<Pack> v          = gather_corners(mesh, state.velocity, first);
+          const auto                   gradient   = velocity_gradient(geometry::volume_gradient<symmetry>(x),
+                                                                      geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
+          const Pack                   divergence = gradient.divergence(), extent = smallest_extent(x), c = sqrt(c2);
+
+          Pack jump(0.);
+          for (int d = 0; d < dim; ++d)
+            {
+              const auto along = viscosity::stretch(d, x, v);
+              jump += max(-along.rate * along.length, Pack(0.));
+            }
+          const Pack damping =
+              select(divergence < 0. && jump > 0.,
+                     Pack(2. * parameters.quadratic_viscosity * jump + parameters.linear_viscosity * c), Pack(0.));
+          const Pack crossing  = parameters.courant * extent / (damping + sqrt(damping * damping + c2));
+          const Pack straining = parameters.max_volume_change / abs(divergence);
+          const Pack dt        = select(there, Pack(min(crossing, straining)), Pack(unlimited));
+          if (none_of(dt < limit.dt))
+            continue;
+          for (Index lane = 0; lane < pack_size; ++lane)
+            if (dt[lane] < limit.dt)
+              limit = {dt[lane],
+                       straining[lane] < crossing[lane] ? "volume change"
+                       : damping[lane] > 0.75 * c[lane] ? "viscosity"
+                                                        : "sound",
+                       first + lane};
+        }
+      return limit;
+    }
+  } // namespace
+
+  template <int dim>
+  TimeStepLimit
+  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+                 const StepWork<dim> &work)
+  {
+    if (mesh.symmetry == Symmetry::planar)
+      return smallest_time_step<Symmetry::planar>(mesh, state, parameters, work);
+    return smallest_time_step<Symmetry::axisymmetric>(mesh, state, parameters, work);
+  }
+
+  template TimeStepLimit
+  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const HydroParameters &, const StepWork<2> &);
+} // namespace whipple

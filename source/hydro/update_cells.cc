@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <whipple/error.h>
+#include <whipple/hydro/cell_kernels.h>
+#include <whipple/hydro/closure.h>
+#include <whipple/hydro/hourglass.h>
+#include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/velocity_gradient.h>
+
+#include <sstream>
+
+namespace whipple::cell_kernels
+{
+  namespace
+  {
+    /// Which lanes of a pack need the closure of mixed cells.
+    struct Filling
+    {
+      Pack            materials; ///< number of materials in the cell
+      Pack::mask_type mixed;     ///< several materials, or open void
+    };
+
+    template <int dim>
+    Filling
+    filling(const State<dim> &state, Index first)
+    {
+      const Pack volume = load(state.volume, first);
+      Pack       occupied(0.), materials(0.);
+      for (const MaterialState &material : state.material)
+        {
+          const Pack v = load(material.volume, first);
+          occupied += v;
+          materials += select(v > 0., Pack(1.), Pack(0.));
+        }
+      const auto open = volume - occupied > closure::closed_share * volume;
+      return {materials, (materials > 0. && open) || materials > 1.};
+    }
+
+    /// Closure of one mixed cell into work.material[].volume.
+    template <int dim>
+    void
+    share_volume(const State<dim> &state, Index cell, StepWork<dim> &work, std::vector<closure::Part> &part,
+                 std::vector<double> &result)
+    {
+      part.clear();
+      for (const MaterialState &material : state.material)
+        if (material.volume[cell] > 0)
+          {
+            const double c = material.sound_speed[cell];
+            part.push_back({material.volume[cell], material.density[cell] * c * c, material.pressure[cell]});
+          }
+      result.resize(part.size());
+      closure::share_volume(state.volume[cell], work.volume[cell], part, result);
+      std::size_t i = 0;
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        if (state.material[m].volume[cell] > 0)
+          work.material[m].volume[cell] = result[i++];
+    }
+
+    /// Complain about the first owned cell of a pack whose volume is not positive.
+    template <int dim>
+    [[noreturn]] void
+    throw_inverted(const FlatMesh<dim> &mesh, const State<dim> &state, const Pack &half, const Pack &next, Index first,
+                   const StepWork<dim> &work)
+    {
+      Index cell = first;
+      while (cell + 1 < mesh.n_owned && half[cell - first] > 0 && next[cell - first] > 0)
+        ++cell;
+      std::ostringstream text;
+      text.precision(10);
+      text << "Lagrange step turns cell " << cell << " (key " << mesh.key[cell] << ") inside out: volume "
+           << state.volume[cell] << " -> " << half[cell - first] << " (half step) -> " << next[cell - first]
+           << " cm^3; corners";
+      for (int k = 0; k < 4; ++k)
+        {
+          const Index node = mesh.cell_node[cell * 4 + k];
+          text << " (" << state.position[0][node] << ", " << state.position[1][node] << ") -> ("
+               << work.position[0][node] << ", " << work.position[1][node] << ")";
+        }
+      throw StateError(text.str());
+    }
+
+    template <int dim>
+    geometry::QuadOf<Pack>
+    load_forces(Index first, const StepWork<dim> &work)
+    {
+      const Index            last = static_cast<Index>(work.mass.size()) - 1;
+      geometry::QuadOf<Pack> force;
+      for (int k = 0; k < 4; ++k)
+        for (int d = 0; d < dim; ++d)
+          force[d][k] = Pack([&](auto lane) {
+            return work.corner_force[(std::min<Index>(first + static_cast<Index>(lane), last) * 4 + k) * dim + d];
+          });
+      return force;
+    }
+
+    /// Next volume of every material: the cell's own where it is alone, the closure's in mixed cells.
+    template <int dim>
+    void
+    update_volumes(const State<dim> &state, const Filling &fill, const Pack &next_volume, Index first,
+                   StepWork<dim> &work, std::vector<closure::Part> &part, std::vector<double> &result)
+    {
+      store(next_volume, work.volume, first);
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        store(select(load(state.material[m].volume, first) > 0., next_volume, Pack(0.)), work.material[m].volume,
+              first);
+      if (none_of(fill.mixed))
+        return;
+      const Index end = std::min<Index>(state.n_cells(), first + pack_size);
+      for (Index cell = first; cell < end; ++cell)
+        if (fill.mixed[cell - first])
+          share_volume(state, cell, work, part, result);
+    }
+
+    /// Next density and energy of every material. The work on the cell goes to its only material; where there
+    /// are several, each gets its own pressure work and of the rest a share by mass.
+    template <int dim>
+    void
+    update_energies(const State<dim> &state, const Filling &fill, const Pack &gain, Index first, StepWork<dim> &work)
+    {
+      const auto shared = fill.materials > 1.;
+      Pack       rest   = gain;
+      if (any_of(shared))
+        for (std::size_t m = 0; m < state.material.size(); ++m)
+          rest += select(shared,
+                         Pack(load(work.material[m].half_pressure, first) *
+                              (load(work.material[m].volume, first) - load(state.material[m].volume, first))),
+                         Pack(0.));
+      const Pack cell_mass = load(work.mass, first);
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        {
+          const MaterialState &old    = state.material[m];
+          MaterialWork        &next   = work.material[m];
+          const Pack           volume = load(old.volume, first), mass = load(old.mass, first);
+          const Pack           energy = load(old.energy, first);
+          const auto           there  = mass > 0.;
+          if (none_of(there))
+            {
+              store(Pack(0.), next.density, first);
+              store(Pack(0.), next.energy, first);
+              continue;
+            }
+          const Pack next_volume = load(next.volume, first);
+          Pack       specific    = gain / mass;
+          if (any_of(shared))
+            specific =
+                select(shared, Pack(rest / cell_mass - load(next.half_pressure, first) * (next_volume - volume) / mass),
+                       specific);
+          store(select(there && next_volume > 0., Pack(load(old.density, first) * (volume / next_volume)), Pack(0.)),
+                next.density, first);
+          store(select(there, Pack(energy + specific), Pack(0.)), next.energy, first);
+        }
+    }
+
+    /// Next stress and plastic strain of every material with strength.
+    /// @return plastic work in the cells of the pack
+    template <int dim>
+    Pack
+    update_stresses(const State<dim> &state, const VelocityGradient<Pack> &gradient, double dt, Index first,
+                    StepWork<dim> &work)
+    {
+      const auto rate =
+          plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
+      Pack plastic_work(0.);
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        {
+          const MaterialState &old  = state.material[m];
+          MaterialWork        &next = work.material[m];
+          if (next.shear_modulus.empty())
+            continue;
+          const auto           there = load(old.mass, first) > 0.;
+          plasticity::Deviator s{Pack(0.), Pack(0.), Pack(0.)};
+          Pack                 strain(0.);
+          if (any_of(there))
+            {
+              const Pack shear = load(next.shear_modulus, first), yield = load(next.yield_stress, first);
+              s = {load(old.fields[state.index.stress_00].value, first),
+                   load(old.fields[state.index.stress_11].value, first),
+                   load(old.fields[state.index.stress_01].value, first)};
+              s = plasticity::stretch(plasticity::rotate(s, rate.spin, dt), rate, shear, dt);
+
+              const Pack trial     = plasticity::equivalent_stress(s);
+              const Pack increment = plasticity::plastic_increment(trial, yield, shear);
+              s                    = plasticity::return_radially(s, trial, yield);
+              for (Pack *component : {&s.s00, &s.s11, &s.s01})
+                *component = select(there, *component, Pack(0.));
+              strain =
+                  select(there, Pack(load(old.fields[state.index.plastic_strain].value, first) + increment), Pack(0.));
+              Pack solid = load(next.volume, first);
+              if (old.has_voids())
+                solid *= 1. - load(old.void_fraction, first);
+              plastic_work += select(there, Pack(solid * yield * increment), Pack(0.));
+            }
+          store(s.s00, next.stress[0], first);
+          store(s.s11, next.stress[1], first);
+          store(s.s01, next.stress[2], first);
+          store(strain, next.plastic_strain, first);
+        }
+      return plastic_work;
+    }
+
+    template <Symmetry symmetry, bool strength, int dim>
+    Dissipation
+    update_cells_of(const FlatMesh<dim> &mesh, const State<dim> &state, double dt, StepWork<dim> &work)
+    {
+      std::vector<closure::Part> &part   = work.mixed_part;
+      std::vector<double>        &result = work.mixed_volume;
+      Pack                        viscous(0.), hourglassing(0.), plastic(0.);
+      for (Index first = 0, pack = 0; first < mesh.n_cells; first += pack_size, ++pack)
+        {
+          const HalfStepPack          &half  = work.half_step[pack];
+          const geometry::QuadOf<Pack> v     = gather_corners(mesh, work.mean_velocity, first);
+          const Pack                   next  = geometry::volume<symmetry>(gather_corners(mesh, work.position, first));
+          const auto                   owned = lanes_below(first, mesh.n_owned);
+          const auto                   positive = next > 0. && half.volume > 0.;
+          if (any_of(owned && !positive))
+            throw_inverted(mesh, state, half.volume, next, first, work);
+
+          const geometry::QuadOf<Pack> force = load_forces(first, work);
+          Pack                         power(0.);
+          for (int k = 0; k < 4; ++k)
+            power += force[0][k] * v[0][k] + force[1][k] * v[1][k];
+
+          const Filling fill = filling(state, first);
+          update_volumes(state, fill, next, first, work, part, result);
+          update_energies(state, fill, Pack(-dt * power), first, work);
+
+          const auto gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
+          if constexpr (strength)
+            plastic += select(owned, update_stresses(state, gradient, dt, first, work), Pack(0.));
+          viscous -= select(owned, Pack(dt * half.viscosity * half.volume * gradient.divergence()), Pack(0.));
+          const auto rate = hourglass::velocity(half.hourglass_shape, gradient, v);
+          hourglassing +=
+              select(owned, Pack(dt * (half.hourglass_drag[0] * rate[0] + half.hourglass_drag[1] * rate[1])), Pack(0.));
+        }
+      return {reduce(viscous), reduce(hourglassing), reduce(plastic)};
+    }
+  } // namespace
+
+  template <int dim>
+  Dissipation
+  update_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt, StepWork<dim> &work)
+  {
+    const bool planar = mesh.symmetry == Symmetry::planar;
+    if (planar && work.has_strength)
+      return update_cells_of<Symmetry::planar, true>(mesh, state, dt, work);
+    if (planar)
+      return update_cells_of<Symmetry::planar, false>(mesh, state, dt, work);
+    if (work.has_strength)
+      return update_cells_of<Symmetry::axisymmetric, true>(mesh, state, dt, work);
+    return update_cells_of<Symmetry::axisymmetric, false>(mesh, state, dt, work);
+  }
+
+  template Dissipation
+  update_cells<2>(const FlatMesh<2> &, const State<2> &, double, StepWork<2> &);
+} // namespace whipple::cell_kernels

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/output/output_directory.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace whipple
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /// The first line of a run's log.txt starts with this (see RunLog::banner).
+    constexpr const char *log_mark = "Whipple";
+
+    bool
+    is_output_of_a_run(const fs::path &directory)
+    {
+      std::ifstream log(directory / "log.txt");
+      std::string   word;
+      return static_cast<bool>(log >> word) && word == log_mark;
+    }
+
+    /// Empty string, or why the directory cannot be used.
+    std::string
+    prepare(const fs::path &directory)
+    {
+      if (fs::exists(directory) && !fs::is_directory(directory))
+        return "is a file; give a directory that does not exist yet or holds an earlier run";
+      if (fs::exists(directory) && !fs::is_empty(directory))
+        {
+          if (!is_output_of_a_run(directory))
+            return "is not empty and not the output of a Whipple run (no log.txt of one); nothing overwritten";
+          for (const char *name : {"fields", "fields.xdmf", "last_good_state", "log.txt", "statistics.csv",
+                                   "summary.json", "parameters.prm"})
+            fs::remove_all(directory / name);
+        }
+      fs::create_directories(directory);
+      // creating it may succeed where writing into it does not; find out now and leave the mark of a run
+      std::ofstream log(directory / "log.txt");
+      if (!(log << log_mark << '\n' << std::flush))
+        return "cannot be written to";
+      return {};
+    }
+  } // namespace
+
+  void
+  prepare_output_directory(const std::string &directory, MPI_Comm communicator)
+  {
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    std::string reason;
+    if (rank == 0)
+      {
+        try
+          {
+            reason = prepare(directory);
+          }
+        catch (const fs::filesystem_error &error)
+          {
+            reason = "cannot be used: " + error.code().message();
+          }
+      }
+    int length = static_cast<int>(reason.size());
+    MPI_Bcast(&length, 1, MPI_INT, 0, communicator);
+    reason.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(reason.data(), length, MPI_CHAR, 0, communicator);
+    if (!reason.empty())
+      throw InputError("output directory '" + directory + "' " + reason);
+  }
+} // namespace whipple

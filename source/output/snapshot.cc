@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/mesh/flat_builder.h>
+#include <whipple/output/snapshot.h>
+
+#include <utility>
+
+namespace whipple
+{
+  namespace
+  {
+    template <int dim>
+    std::vector<Index>
+    shown_cells(const FlatMesh<dim> &mesh, const State<dim> &state, bool empty_cells)
+    {
+      std::vector<Index> cells;
+      for (Index c = 0; c < mesh.n_owned; ++c)
+        {
+          double mass = 0;
+          for (const MaterialState &material : state.material)
+            mass += material.mass[c];
+          if (empty_cells || mass > 0)
+            cells.push_back(c);
+        }
+      return cells;
+    }
+
+    /// Nodes in the order the cells first use them.
+    template <int dim>
+    void
+    add_geometry(Snapshot<dim> &snapshot, const FlatMesh<dim> &mesh, const State<dim> &state,
+                 const std::vector<Index> &cells)
+    {
+      constexpr int      corners = FlatMesh<dim>::corners;
+      std::vector<Index> new_number(mesh.n_nodes, none);
+      Index              n_nodes = 0;
+      for (const Index c : cells)
+        for (int k = 0; k < corners; ++k)
+          {
+            const Index node = mesh.cell_node[c * corners + k];
+            if (new_number[node] == none)
+              {
+                new_number[node] = n_nodes++;
+                for (int d = 0; d < dim; ++d)
+                  snapshot.position.push_back(state.position[d][node]);
+                for (int d = 0; d < 3; ++d)
+                  snapshot.velocity.push_back(d < dim ? state.velocity[d][node] : 0.);
+              }
+            snapshot.cell_node.push_back(new_number[node]);
+          }
+    }
+
+    template <typename Function>
+    CellField
+    cell_field(std::string name, std::string unit, const std::vector<Index> &cells, const Function &value_of)
+    {
+      CellField field{std::move(name), std::move(unit), {}};
+      field.value.reserve(cells.size());
+      for (const Index c : cells)
+        field.value.push_back(value_of(c));
+      return field;
+    }
+
+    template <int dim>
+    void
+    add_cell_fields(Snapshot<dim> &snapshot, const FlatMesh<dim> &mesh, const State<dim> &state,
+                    const std::vector<Index> &cells, int rank)
+    {
+      const auto mean = [&state](auto &&extensive) {
+        return [&state, extensive](Index c) {
+          double sum = 0;
+          for (const MaterialState &material : state.material)
+            sum += extensive(material, c);
+          return sum / state.volume[c];
+        };
+      };
+      const auto mass     = [](const MaterialState &m, Index c) { return m.mass[c]; };
+      const auto pressure = [](const MaterialState &m, Index c) { return m.volume[c] * m.pressure[c]; };
+      const auto solid    = [](const MaterialState &m, Index c) {
+        return m.volume[c] * (m.has_voids() ? 1. - m.void_fraction[c] : 1.);
+      };
+      snapshot.fields.push_back(cell_field("density", "g/cm^3", cells, mean(mass)));
+      snapshot.fields.push_back(cell_field("pressure", "Mbar", cells, mean(pressure)));
+      snapshot.fields.push_back(cell_field("solid fraction", "1", cells, mean(solid)));
+      snapshot.fields.push_back(cell_field("level", "1", cells, [&mesh](Index c) { return mesh.level[c]; }));
+      snapshot.fields.push_back(cell_field("rank", "1", cells, [rank](Index) { return rank; }));
+    }
+
+    template <int dim>
+    void
+    add_material_fields(Snapshot<dim> &snapshot, const State<dim> &state, const MaterialState &material,
+                        const std::string &name, const std::vector<Index> &cells)
+    {
+      const auto add = [&](const std::string &what, const std::string &unit, const auto &value_of) {
+        snapshot.fields.push_back(cell_field(name + ' ' + what, unit, cells, value_of));
+      };
+      const auto entry = [](const std::vector<double> &values) { return [&values](Index c) { return values[c]; }; };
+
+      add("volume fraction", "1", [&](Index c) { return material.volume[c] / state.volume[c]; });
+      add("density", "g/cm^3", entry(material.density));
+      add("true density", "g/cm^3", [&material](Index c) {
+        return material.has_voids() ? material.density[c] / (1. - material.void_fraction[c]) : material.density[c];
+      });
+      add("pressure", "Mbar", entry(material.pressure));
+      add("energy", "Mbar cm^3/g", entry(material.energy));
+      if (material.has_voids())
+        add("void fraction", "1", entry(material.void_fraction));
+      for (const Field &field : material.fields)
+        add(field.description.name, field.description.unit, entry(field.value));
+    }
+
+    template <int dim>
+    void
+    add_identity(Snapshot<dim> &snapshot, const FlatMesh<dim> &mesh, const State<dim> &state,
+                 const std::vector<std::string> &material_names, const std::vector<Index> &cells)
+    {
+      for (int d = 0; d < dim; ++d)
+        snapshot.fields.push_back(cell_field("lattice point " + std::to_string(d), "1", cells,
+                                             [&mesh, d](Index c) { return key_point<dim>(mesh.key[c])[d]; }));
+      snapshot.fields.push_back(cell_field("volume", "cm^3", cells, [&](Index c) { return state.volume[c]; }));
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        {
+          const MaterialState &material = state.material[m];
+          snapshot.fields.push_back(
+              cell_field(material_names[m] + " volume", "cm^3", cells, [&](Index c) { return material.volume[c]; }));
+          snapshot.fields.push_back(
+              cell_field(material_names[m] + " mass", "g", cells, [&](Index c) { return material.mass[c]; }));
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  Snapshot<dim>
+  take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<std::string> &material_names,
+                const SnapshotOptions &options)
+  {
+    Snapshot<dim> snapshot;
+    snapshot.time                  = state.time;
+    const std::vector<Index> cells = shown_cells(mesh, state, options.empty_cells);
+    add_geometry(snapshot, mesh, state, cells);
+    add_cell_fields(snapshot, mesh, state, cells, options.rank);
+    for (std::size_t m = 0; m < state.material.size(); ++m)
+      add_material_fields(snapshot, state, state.material[m], material_names[m], cells);
+    if (options.everything)
+      add_identity(snapshot, mesh, state, material_names, cells);
+    return snapshot;
+  }
+
+  template Snapshot<2>
+  take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const std::vector<std::string> &, const SnapshotOptions &);
+} // namespace whipple

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <deal.II/base/hdf5.h>
+
+#include <whipple/output/snapshot_hdf5.h>
+
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace whipple::snapshot_hdf5
+{
+  namespace
+  {
+    namespace HDF5 = dealii::HDF5;
+
+    /// Where the rows of this rank lie among those of all ranks.
+    struct Rows
+    {
+      std::uint64_t offset, local, global;
+    };
+
+    Rows
+    rows_of(std::uint64_t local, MPI_Comm communicator)
+    {
+      Rows rows{0, local, 0};
+      int  rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      MPI_Exscan(&local, &rows.offset, 1, MPI_UINT64_T, MPI_SUM, communicator);
+      if (rank == 0) // MPI leaves it undefined there
+        rows.offset = 0;
+      MPI_Allreduce(&local, &rows.global, 1, MPI_UINT64_T, MPI_SUM, communicator);
+      return rows;
+    }
+
+    /// A table of `width` columns (width 1: a plain list), every rank its rows.
+    template <typename Number>
+    HDF5::DataSet
+    write_table(const HDF5::Group &group, const std::string &name, const std::vector<Number> &values, const Rows &rows,
+                unsigned int width)
+    {
+      std::vector<hsize_t> global{rows.global}, offset{rows.offset}, count{rows.local};
+      if (width > 1)
+        {
+          global.push_back(width);
+          offset.push_back(0);
+          count.push_back(width);
+        }
+      HDF5::DataSet table = group.create_dataset<Number>(name, global);
+      if (rows.local > 0)
+        table.write_hyperslab(values, offset, count);
+      else
+        table.write_none<Number>();
+      return table;
+    }
+
+    /// A name that is legal in HDF5 paths and XDMF references, and not taken yet.
+    std::string
+    dataset_name(const std::string &field, std::set<std::string> &taken)
+    {
+      std::string name;
+      for (const char c : field)
+        name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+      std::string unique = name;
+      for (int copy = 2; !taken.insert(unique).second; ++copy)
+        unique = name + '_' + std::to_string(copy);
+      return unique;
+    }
+
+    std::string
+    xml(std::string_view text)
+    {
+      std::string escaped;
+      for (const char c : text)
+        switch (c)
+          {
+          case '&':
+            escaped += "&amp;";
+            break;
+          case '<':
+            escaped += "&lt;";
+            break;
+          case '"':
+            escaped += "&quot;";
+            break;
+          default:
+            escaped += c;
+          }
+      return escaped;
+    }
+
+    std::string
+    data_item(const std::string &stored_path, const std::string &dataset, const std::string &dimensions,
+              std::string_view number_type, int bytes)
+    {
+      std::ostringstream text;
+      text << "<DataItem Dimensions=\"" << dimensions << "\" NumberType=\"" << number_type << "\" Precision=\"" << bytes
+           << "\" Format=\"HDF\">" << xml(stored_path) << ":/" << dataset << "</DataItem>";
+      return text.str();
+    }
+
+    /// Corners in the order in which XDMF walks around a cell, as lexicographic numbers.
+    template <int dim>
+    constexpr std::array<int, 1 << dim>
+    xdmf_walk()
+    {
+      if constexpr (dim == 2)
+        return {{0, 1, 3, 2}};
+      else
+        return {{0, 1, 3, 2, 4, 5, 7, 6}};
+    }
+
+    template <int dim>
+    std::vector<int>
+    walked_cells(const Snapshot<dim> &snapshot, std::uint64_t first_node)
+    {
+      constexpr int    corners = Snapshot<dim>::corners;
+      std::vector<int> nodes(snapshot.cell_node.size());
+      for (std::size_t c = 0; c < snapshot.n_cells(); ++c)
+        for (int k = 0; k < corners; ++k)
+          nodes[c * corners + k] = static_cast<int>(first_node) + snapshot.cell_node[c * corners + xdmf_walk<dim>()[k]];
+      return nodes;
+    }
+
+    template <int dim>
+    std::string
+    grid_head(const Snapshot<dim> &snapshot, const std::string &stored_path, std::string_view grid_name,
+              const Rows &nodes, const Rows &cells)
+    {
+      constexpr bool     plane   = dim == 2;
+      const std::string  n_cells = std::to_string(cells.global), n_nodes = std::to_string(nodes.global);
+      std::ostringstream text;
+      text.precision(12);
+      text << "<Grid Name=\"" << xml(grid_name) << "\" GridType=\"Uniform\">\n<Time Value=\"" << snapshot.time
+           << "\"/>\n<Geometry GeometryType=\"" << (plane ? "XY" : "XYZ") << "\">"
+           << data_item(stored_path, "nodes", n_nodes + ' ' + std::to_string(dim), "Float", 8)
+           << "</Geometry>\n<Topology TopologyType=\"" << (plane ? "Quadrilateral" : "Hexahedron")
+           << "\" NumberOfElements=\"" << n_cells << "\">"
+           << data_item(stored_path, "cells", n_cells + ' ' + std::to_string(1 << dim), "Int", 4) << "</Topology>\n";
+      return text.str();
+    }
+
+    std::string
+    attribute(std::string_view name, const std::string &unit, std::string_view type, std::string_view center,
+              const std::string &item)
+    {
+      std::ostringstream text;
+      text << "<Attribute Name=\"" << xml(name);
+      if (unit != "1")
+        text << " [" << xml(unit) << ']';
+      text << "\" AttributeType=\"" << type << "\" Center=\"" << center << "\">" << item << "</Attribute>\n";
+      return text.str();
+    }
+
+    template <typename Number, int dim>
+    std::string
+    write_as(const Snapshot<dim> &snapshot, const std::string &path, const std::string &stored_path,
+             std::string_view grid_name, MPI_Comm communicator)
+    {
+      const Rows nodes = rows_of(snapshot.n_nodes(), communicator), cells = rows_of(snapshot.n_cells(), communicator);
+      const auto stored = [](const std::vector<double> &values) {
+        return std::vector<Number>(values.begin(), values.end());
+      };
+      constexpr int bytes = sizeof(Number);
+
+      HDF5::File  file(path, HDF5::File::FileAccessMode::create, communicator);
+      std::string grid = grid_head(snapshot, stored_path, grid_name, nodes, cells);
+      write_table(file, "nodes", snapshot.position, nodes, dim);
+      write_table(file, "cells", walked_cells(snapshot, nodes.offset), cells, Snapshot<dim>::corners);
+      write_table(file, "velocity", stored(snapshot.velocity), nodes, 3).set_attribute("unit", std::string("cm/us"));
+      grid += attribute("velocity", "cm/us", "Vector", "Node",
+                        data_item(stored_path, "velocity", std::to_string(nodes.global) + " 3", "Float", bytes));
+      std::set<std::string> taken{"nodes", "cells", "velocity"};
+      for (const CellField &field : snapshot.fields)
+        {
+          const std::string name = dataset_name(field.name, taken);
+          write_table(file, name, stored(field.value), cells, 1).set_attribute("unit", field.unit);
+          grid += attribute(field.name, field.unit, "Scalar", "Cell",
+                            data_item(stored_path, name, std::to_string(cells.global), "Float", bytes));
+        }
+      return grid + "</Grid>\n";
+    }
+  } // namespace
+
+  template <int dim>
+  std::string
+  write(const Snapshot<dim> &snapshot, const std::string &path, const std::string &stored_path,
+        std::string_view grid_name, Precision precision, MPI_Comm communicator)
+  {
+    if (precision == Precision::single_precision)
+      return write_as<float>(snapshot, path, stored_path, grid_name, communicator);
+    return write_as<double>(snapshot, path, stored_path, grid_name, communicator);
+  }
+
+  void
+  write_series(const std::string &path, std::span<const std::string> grids)
+  {
+    const std::string temporary = path + ".part";
+    {
+      std::ofstream file(temporary);
+      file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
+              "<Grid Name=\"Whipple\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+      for (const std::string &grid : grids)
+        file << grid;
+      file << "</Grid>\n</Domain>\n</Xdmf>\n" << std::flush;
+      if (!file)
+        throw std::runtime_error(temporary + ": cannot be written");
+    }
+    std::filesystem::rename(temporary, path);
+  }
+
+  template std::string
+  write<2>(const Snapshot<2> &, const std::string &, const std::string &, std::string_view, Precision, MPI_Comm);
+} // namespace whipple::snapshot_hdf5

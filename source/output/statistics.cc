@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/output/statistics.h>
+
+#include <array>
+#include <charconv>
+
+namespace whipple
+{
+  namespace
+  {
+    bool
+    is_rank_0(MPI_Comm communicator)
+    {
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      return rank == 0;
+    }
+
+    /// Shortest text that reads back as the same bits.
+    void
+    print(std::ostream &out, double value)
+    {
+      std::array<char, 32> text;
+      const auto           end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+      out.write(text.data(), end - text.data());
+    }
+  } // namespace
+
+  Statistics::Statistics(const std::string &directory, MPI_Comm communicator)
+    : active_(is_rank_0(communicator))
+  {
+    if (!active_)
+      return;
+    const std::string path = directory + "/statistics.csv";
+    file_.open(path);
+    if (!file_)
+      throw InputError(path + ": cannot be written");
+  }
+
+  void
+  Statistics::write(std::span<const StatisticsEntry> row)
+  {
+    if (!active_)
+      return;
+    if (columns_.empty())
+      {
+        for (const StatisticsEntry &entry : row)
+          {
+            file_ << (columns_.empty() ? "" : ",") << entry.name;
+            columns_.emplace_back(entry.name);
+          }
+        file_ << '\n';
+      }
+    if (row.size() != columns_.size())
+      throw Error("statistics: a row of " + std::to_string(row.size()) + " values in a table of " +
+                  std::to_string(columns_.size()) + " columns");
+    for (std::size_t i = 0; i < row.size(); ++i)
+      {
+        if (row[i].name != columns_[i])
+          throw Error("statistics: value '" + std::string(row[i].name) + "' in column '" + columns_[i] + "'");
+        if (i > 0)
+          file_ << ',';
+        print(file_, row[i].value);
+      }
+    file_ << '\n';
+  }
+
+  void
+  Statistics::flush()
+  {
+    if (active_)
+      file_.flush();
+  }
+} // namespace whipple

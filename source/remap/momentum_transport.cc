@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/remap/limited_slope.h>
+#include <whipple/remap/momentum_transport.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whipple
+{
+  template <int dim>
+  MomentumTransport<dim>::MomentumTransport(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries,
+                                            const RemapParameters &parameters)
+    : mesh_(&mesh)
+    , boundaries_(boundaries)
+    , parameters_(parameters)
+    , nodes_(mesh)
+    , dual_(mesh, nodes_)
+    , excess_(mesh.n_nodes, 0.)
+    , specific_loss_(mesh.n_nodes, 0.)
+  {
+    for (int d = 0; d < dim; ++d)
+      {
+        up_[d].assign(mesh.n_nodes, 0.);
+        down_[d].assign(mesh.n_nodes, 0.);
+      }
+    drained_.reserve(mesh.n_nodes);
+    mixed_.reserve(mesh.n_nodes);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::upwind_velocities(const State<dim> &state, const int axis)
+  {
+    drained_.clear();
+    for (Index n = 0; n < mesh_->n_nodes; ++n)
+      {
+        const NodeBalance &b    = dual_.balance[n];
+        const double       mass = state.node_mass[n];
+        for (int d = 0; d < dim; ++d)
+          up_[d][n] = down_[d][n] = state.velocity[d][n];
+        excess_[n] = 0;
+        if (b.up + b.down + b.aside > mass)
+          drained_.push_back(n);
+        else if (parameters_.second_order && b.up + b.down > 0)
+          reconstruct(state, axis, n);
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct(const State<dim> &state, const int axis, const Index node)
+  {
+    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
+    if (p == node || q == node || !(state.node_mass[p] > 0 && state.node_mass[q] > 0))
+      return;
+    const double up   = dual_.balance[node].up / state.node_mass[node],
+                 down = dual_.balance[node].down / state.node_mass[node];
+    double square     = 0;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double v = state.velocity[d][node], low = v - state.velocity[d][p], high = state.velocity[d][q] - v;
+        const double slope = limited_slope(low, high, 0.5 * (low + high));
+        up_[d][node]       = v + 0.5 * slope * (1. - up);
+        down_[d][node]     = v - 0.5 * slope * (1. - down);
+        square += 0.25 * slope * slope;
+      }
+    // kinetic energy of the slope in what leaves and what stays, which the node's mean velocity does not have
+    const double rest = std::max(1. - up - down, 0.);
+    excess_[node]     = 0.5 * square *
+                    (up * (1. - up) * (1. - up) + down * (1. - down) * (1. - down) + rest * (up - down) * (up - down)) /
+                    (up + down);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::mix_drained_nodes(const State<dim> &state, const int axis)
+  {
+    mixed_.resize(drained_.size());
+    // a drained node may feed another one: each pass settles the next of such a chain
+    constexpr int longest_chain = 4;
+    for (int pass = 0; pass < longest_chain; ++pass)
+      {
+        for (std::size_t i = 0; i < drained_.size(); ++i)
+          {
+            const Index n = drained_[i];
+            Vector<dim> given;
+            for (int d = 0; d < dim; ++d)
+              given[d] = up_[d][n];
+            // seen from what it gives, a node's outflow has no momentum: held + inflow remain
+            Exchange exchange;
+            gather_drained(state, axis, n, given, exchange);
+            for (int d = 0; d < dim; ++d)
+              mixed_[i][d] = given[d] + exchange.momentum[d] / exchange.inflow;
+          }
+        for (std::size_t i = 0; i < drained_.size(); ++i)
+          for (int d = 0; d < dim; ++d)
+            up_[d][drained_[i]] = down_[d][drained_[i]] = mixed_[i][d];
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::add_flux(const Index from, const std::array<std::vector<double>, dim> &upwind,
+                                   const double flux, const double excess, const Vector<dim> &velocity,
+                                   Exchange &exchange) const
+  {
+    double square = 0;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double u = upwind[d][from] - velocity[d];
+        exchange.momentum[d] += flux * u;
+        square += u * u;
+      }
+    exchange.square += flux * (square - 2. * excess);
+    exchange.inflow += std::max(flux, 0.);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::gather_interior(const int axis, const Index node, const Vector<dim> &velocity,
+                                          Exchange &exchange) const
+  {
+    const int axis_bit = 1 << axis;
+    for (Index i = mesh_->node_corner_begin[node]; i < mesh_->node_corner_begin[node + 1]; ++i)
+      {
+        const Index  corner = mesh_->node_corner[i], c = corner >> 2;
+        const int    l = corner >> axis & 1, t = corner >> (1 - axis) & 1;
+        const double inwards = l ? dual_.along[2 * c + t] : -dual_.along[2 * c + t];
+        if (inwards > 0)
+          {
+            const Index from = mesh_->cell_node[corner ^ axis_bit];
+            add_flux(from, l ? up_ : down_, inwards, excess_[from], velocity, exchange);
+          }
+        else if (inwards < 0)
+          add_flux(node, l ? down_ : up_, inwards, excess_[node], velocity, exchange);
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::gather_special(const int axis, const Index node, const Index corner_node, const double share,
+                                         const Vector<dim> &velocity, Exchange &exchange) const
+  {
+    // `below`: whether the other node lies below this one
+    const auto add = [&](const double inwards, const Index other, const bool below) {
+      const auto &upwind = below ? up_ : down_, &own = below ? down_ : up_;
+      if (inwards < 0)
+        add_flux(node, own, share * inwards, excess_[node], velocity, exchange);
+      else if (inwards > 0 && nodes_.kind[other] != NodeKind::hanging)
+        add_flux(other, upwind, share * inwards, excess_[other], velocity, exchange);
+      else if (inwards > 0) // a hanging node gives what its masters have, half each
+        for (const Index master : mesh_->master[nodes_.hanging_place[other]])
+          add_flux(master, upwind, 0.5 * share * inwards, 0., velocity, exchange);
+    };
+    for (Index i = mesh_->node_corner_begin[corner_node]; i < mesh_->node_corner_begin[corner_node + 1]; ++i)
+      {
+        const Index  corner = mesh_->node_corner[i], c = corner >> 2;
+        const int    l = corner >> axis & 1, t = corner >> (1 - axis) & 1;
+        const double along = dual_.along[2 * c + t], across = dual_.across[2 * c + l];
+        add(l ? along : -along, mesh_->cell_node[corner ^ (1 << axis)], l);
+        add(t ? across : -across, mesh_->cell_node[corner ^ (2 >> axis)], t);
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::gather(const State<dim> &state, const int axis, const Index node, const Vector<dim> &velocity,
+                                 Exchange &exchange) const
+  {
+    if (nodes_.kind[node] == NodeKind::interior)
+      return gather_interior(axis, node, velocity, exchange);
+    gather_special(axis, node, node, 1., velocity, exchange);
+    for (const Index h : nodes_.hanging_of(node))
+      gather_special(axis, node, h, 0.5, velocity, exchange);
+    if (nodes_.on_side(node, axis))
+      {
+        add_flux(node, up_, -dual_.boundary_out[node], 0., velocity, exchange);
+        add_flux(node, state.velocity, dual_.boundary_in[node], 0., velocity, exchange); // zero gradient
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::gather_drained(const State<dim> &state, const int axis, const Index node,
+                                         const Vector<dim> &velocity, Exchange &exchange) const
+  {
+    gather(state, axis, node, velocity, exchange);
+    add_flux(node, state.velocity, state.node_mass[node], 0., velocity, exchange); // what it held
+  }
+
+  template <int dim>
+  Vector<dim>
+  MomentumTransport<dim>::first_velocity(const int axis, const Index node) const
+  {
+    // the mean of all that flows in, as seen from the first of it: what is equal stays equal to the last bit
+    Vector<dim> velocity{};
+    const auto  search = [&](const Index corner_node) {
+      for (Index i = mesh_->node_corner_begin[corner_node]; i < mesh_->node_corner_begin[corner_node + 1]; ++i)
+        {
+          const Index  corner = mesh_->node_corner[i], c = corner >> 2;
+          const int    l = corner >> axis & 1, t = corner >> (1 - axis) & 1;
+          const double along = dual_.along[2 * c + t], across = dual_.across[2 * c + l];
+          const bool   in_along = (l ? along : -along) > 0, in_across = (t ? across : -across) > 0;
+          if (!in_along && !in_across)
+            continue;
+          const Index from = mesh_->cell_node[corner ^ (in_along ? 1 << axis : 2 >> axis)];
+          const Index source =
+              nodes_.kind[from] == NodeKind::hanging ? mesh_->master[nodes_.hanging_place[from]][0] : from;
+          for (int d = 0; d < dim; ++d)
+            velocity[d] = (in_along && !l ? down_ : up_)[d][source];
+          return true;
+        }
+      return false;
+    };
+    bool found = search(node);
+    for (const Index h : nodes_.hanging_of(node))
+      found = found || search(h);
+    return velocity;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::change_of(const State<dim> &state, const int axis, const Index node,
+                                    const Vector<dim> *const mixed, Change &change) const
+  {
+    const double mass_before = state.node_mass[node], mass = dual_.balance[node].mass;
+    if (mixed)
+      {
+        change.reference = *mixed;
+        gather_drained(state, axis, node, *mixed, change.exchange);
+        // nothing but round-off is left unless a drained neighbour gave something else than before mixing
+        const double scale = std::sqrt(change.exchange.square * change.exchange.inflow);
+        for (int d = 0; d < dim && mass > 0; ++d)
+          if (std::abs(change.exchange.momentum[d]) > 1e-13 * scale)
+            change.velocity[d] = change.exchange.momentum[d] / mass;
+        return;
+      }
+    for (int d = 0; d < dim; ++d)
+      change.reference[d] = state.velocity[d][node];
+    if (mass_before == 0)
+      change.reference = first_velocity(axis, node);
+    gather(state, axis, node, change.reference, change.exchange);
+    // the same to round-off; the larger keeps the result between the velocities that meet
+    const double divisor = std::max(mass, change.exchange.inflow);
+    for (int d = 0; d < dim && mass > 0; ++d)
+      change.velocity[d] = change.exchange.momentum[d] / divisor;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::constrain(const Index node, Change &change, RemapReport<dim> &report) const
+  {
+    std::array<bool, dim> fixed{};
+    for (int s = 0; s < 2 * dim; ++s)
+      for (int d = 0; d < dim && (mesh_->node_side[node] >> s & 1); ++d)
+        {
+          const Boundary<dim> &boundary = boundaries_[s];
+          const bool           wall     = boundary.kind == BoundaryKind::reflecting && d == s / 2;
+          if (fixed[d] || !(wall || boundary.kind == BoundaryKind::inflow))
+            continue;
+          fixed[d]              = true;
+          const double velocity = wall ? 0. : boundary.velocity[d];
+          change.velocity[d]    = velocity - change.reference[d];
+          if (counts(node))
+            {
+              const double taken = change.exchange.momentum[d] - dual_.balance[node].mass * change.velocity[d];
+              report.side[s].momentum[d] += taken;
+              report.side[s].kinetic += velocity * taken;
+            }
+        }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::book_loss(const Index node, const int axis, const double loss, RemapReport<dim> &report) const
+  {
+    if (!counts(node))
+      return;
+    report.kinetic_lost += loss;
+    if (dual_.balance[node].mass > 0 || !nodes_.on_side(node, axis) || !parameters_.kinetic_loss_to_heat)
+      return;
+    // all that could be heated has left through the side
+    const int lower = 2 * axis, side = lower + (mesh_->node_side[node] >> lower & 1 ? 0 : 1);
+    report.side[side].internal += loss;
+    report.kinetic_heated += loss;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::update_nodes(State<dim> &state, const int axis, RemapReport<dim> &report)
+  {
+    std::size_t next_drained = 0; // drained_ is in the order of the nodes
+    for (Index n = 0; n < mesh_->n_nodes; ++n)
+      {
+        const double mass = dual_.balance[n].mass;
+        specific_loss_[n] = 0;
+        if (nodes_.kind[n] == NodeKind::hanging || (state.node_mass[n] == 0 && mass == 0))
+          {
+            state.node_mass[n] = 0;
+            for (int d = 0; d < dim; ++d)
+              state.velocity[d][n] = 0;
+            continue;
+          }
+        const bool drained = next_drained < drained_.size() && drained_[next_drained] == n;
+        Change     change;
+        change_of(state, axis, n, drained ? &mixed_[next_drained++] : nullptr, change);
+        if (mesh_->node_side[n])
+          constrain(n, change, report);
+        double loss = 0.5 * change.exchange.square;
+        for (int d = 0; d < dim; ++d)
+          {
+            const double delta   = change.velocity[d];
+            state.velocity[d][n] = mass > 0 ? change.reference[d] + delta : 0.;
+            loss -= delta * (change.exchange.momentum[d] - 0.5 * mass * delta);
+          }
+        if (mass > 0)
+          specific_loss_[n] = loss / mass;
+        book_loss(n, axis, loss, report);
+        state.node_mass[n] = mass;
+      }
+    for (std::size_t i = 0; i < mesh_->hanging.size(); ++i)
+      {
+        const Index h = mesh_->hanging[i], a = mesh_->master[i][0], b = mesh_->master[i][1];
+        for (int d = 0; d < dim; ++d)
+          state.velocity[d][h] = 0.5 * (state.velocity[d][a] + state.velocity[d][b]);
+        specific_loss_[h] = 0.5 * (specific_loss_[a] + specific_loss_[b]);
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::book_boundaries(const State<dim> &state, const SweepTopology<dim> &topology,
+                                          const std::vector<double> &mass_flux, RemapReport<dim> &report) const
+  {
+    const FlatFaces<dim> &faces = *topology.faces;
+    for (const Index f : topology.boundary_faces)
+      {
+        const int   upper = faces.side[f] & 1;
+        const Index cell  = faces.cell[1 - upper][f];
+        if (mass_flux[f] == 0 || cell >= mesh_->n_owned)
+          continue;
+        SideFlux<dim> &side = report.side[faces.side[f]];
+        for (int t = 0; t < 2; ++t)
+          {
+            const Index  n = faces.node[2 * f + t];
+            const double outwards =
+                (upper ? mass_flux[f] : -mass_flux[f]) * nodes_.transverse_share(state, cell, topology.axis, t);
+            for (int d = 0; d < dim; ++d)
+              {
+                const double v = outwards > 0 ? up_[d][n] : state.velocity[d][n];
+                side.momentum[d] += outwards * v;
+                side.kinetic += 0.5 * outwards * v * v;
+              }
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::heat_cells(State<dim> &state, const std::vector<double> &mass_after,
+                                     RemapReport<dim> &report) const
+  {
+    for (Index c = 0; c < mesh_->n_cells; ++c)
+      {
+        if (!(mass_after[c] > 0))
+          continue;
+        double heat = 0;
+        for (int k = 0; k < FlatMesh<dim>::corners; ++k)
+          heat += state.corner_weight[4 * c + k] * specific_loss_[mesh_->cell_node[4 * c + k]];
+        for (MaterialState &material : state.material)
+          if (material.mass[c] > 0)
+            material.energy[c] += heat;
+        if (c < mesh_->n_owned)
+          report.kinetic_heated += heat * mass_after[c];
+      }
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::move(State<dim> &state, const SweepTopology<dim> &topology,
+                               const std::vector<double> &mass_flux, const std::vector<double> &mass_before,
+                               const std::vector<double> &mass_after, RemapReport<dim> &report)
+  {
+    dual_.compute(state, topology, mass_flux, mass_before, mass_after);
+    upwind_velocities(state, topology.axis);
+    mix_drained_nodes(state, topology.axis);
+    book_boundaries(state, topology, mass_flux, report);
+    update_nodes(state, topology.axis, report);
+    if (parameters_.kinetic_loss_to_heat)
+      heat_cells(state, mass_after, report);
+  }
+
+  template class MomentumTransport<2>;
+} // namespace whipple

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/stage/collective.h>
+#include <whipple/stage/cycle.h>
+#include <whipple/stage/domain.h>
+
+#include <cstdio>
+
+namespace whipple
+{
+  namespace
+  {
+    RemapParameters
+    remap_parameters(const Numerics &numerics, const Stage &stage)
+    {
+      RemapParameters parameters;
+      parameters.second_order         = numerics.remap_order == 2;
+      parameters.kinetic_loss_to_heat = stage.lost_kinetic_energy == KineticLoss::heat;
+      parameters.advection_limit      = numerics.advection_limit;
+      return parameters;
+    }
+  } // namespace
+
+  template <int dim>
+  Cycle<dim>::Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
+                    const Halo<dim> &halo)
+    : layout_(layout)
+    , mesh_(mesh)
+    , halo_(halo)
+    , lost_kinetic_energy_(stage.lost_kinetic_energy)
+    , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
+  {
+    if (stage.mode == StageMode::eulerian)
+      remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage));
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::refresh(State<dim> &state) const
+  {
+    lagrange_.update_node_mass(state);
+    lagrange_.update_pressure(state);
+  }
+
+  template <int dim>
+  AgreedTimeStep
+  Cycle<dim>::time_step(const State<dim> &state) const
+  {
+    TimeStepLimit limit = lagrange_.time_step(state);
+    if (remap_)
+      if (const double dt = remap_->time_step(state); dt < limit.dt)
+        limit = {dt, "advection", none};
+
+    const MPI_Comm communicator = halo_.communicator();
+    struct
+    {
+      double dt;
+      int    rank;
+    } least{limit.dt, 0};
+    MPI_Comm_rank(communicator, &least.rank);
+    const int rank = least.rank;
+    MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
+
+    char text[2][64] = {"", ""};
+    if (rank == least.rank)
+      {
+        std::snprintf(text[0], sizeof text[0], "%s", limit.reason.c_str());
+        if (limit.cell != none)
+          {
+            const Index n = mesh_.cell_node[limit.cell * FlatMesh<dim>::corners];
+            std::snprintf(text[1], sizeof text[1], "%.4f, %.4f cm", state.position[0][n], state.position[1][n]);
+          }
+      }
+    MPI_Bcast(text, sizeof text, MPI_CHAR, least.rank, communicator);
+    return {least.dt, text[0], text[1]};
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::exchange(State<dim> &state) const
+  {
+    std::vector<std::vector<double> *> cells = layout_.cell_arrays(state), nodes{&state.node_mass};
+    for (MaterialState &m : state.material)
+      for (auto *array : {&m.pressure, &m.sound_speed})
+        cells.push_back(array);
+    for (int d = 0; d < dim; ++d)
+      {
+        nodes.push_back(&state.position[d]);
+        nodes.push_back(&state.velocity[d]);
+      }
+    halo_.exchange(cells, nodes);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::advance(State<dim> &state, double dt, int sweep_first, Ledger<dim> &ledger)
+  {
+    const MPI_Comm      communicator = halo_.communicator();
+    LagrangeReport<dim> motion;
+    agree(communicator, [&] { motion = lagrange_.advance(state, dt); });
+    exchange(state);
+    RemapReport<dim> remap;
+    if (remap_)
+      {
+        remap_->begin(state);
+        for (int i = 0; i < dim; ++i)
+          {
+            agree(communicator, [&] { remap += remap_->sweep(state, (sweep_first + i) % dim); });
+            exchange(state);
+          }
+        agree(communicator, [&] { remap_->finish(state); });
+        lagrange_.update_pressure(state);
+      }
+    book(motion, remap, ledger);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const
+  {
+    // what crossed the sides, and the work and impulse the sides gave (so: minus what they took)
+    std::array<double, 3 + dim + 4> sums{};
+    for (const SideFlux<dim> &side : remap.side)
+      {
+        sums[0] += side.mass;
+        sums[1] += side.internal;
+        sums[2] += side.kinetic;
+        for (int d = 0; d < dim; ++d)
+          sums[3 + d] += side.momentum[d];
+      }
+    sums[2] -= motion.boundary_work;
+    for (int d = 0; d < dim; ++d)
+      sums[3 + d] -= motion.boundary_momentum[d];
+    sums[3 + dim] = motion.viscous_work;
+    sums[4 + dim] = motion.hourglass_work;
+    sums[5 + dim] = motion.plastic_work;
+    sums[6 + dim] = remap.kinetic_lost;
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, halo_.communicator());
+
+    ConservedTotals<dim> left;
+    left.mass            = sums[0];
+    left.internal_energy = sums[1];
+    left.kinetic_energy  = sums[2];
+    for (int d = 0; d < dim; ++d)
+      left.momentum[d] = sums[3 + d];
+    ledger.leave(left);
+    ledger.convert("viscous work", sums[3 + dim]);
+    ledger.convert("hourglass work", sums[4 + dim]);
+    ledger.convert("plastic work", sums[5 + dim]);
+    ledger.convert("remap", sums[6 + dim]);
+    if (lost_kinetic_energy_ == KineticLoss::drop)
+      {
+        ConservedTotals<dim> lost;
+        lost.kinetic_energy = sums[6 + dim];
+        ledger.drop("remap", lost);
+      }
+  }
+
+  template class Cycle<2>;
+} // namespace whipple

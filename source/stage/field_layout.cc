@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/stage/field_layout.h>
+
+namespace whipple
+{
+  template <int dim>
+  FieldLayout::FieldLayout(const Scene<dim> &scene)
+  {
+    for (const SceneMaterial &material : scene.materials)
+      {
+        materials.push_back(material.model);
+        material_names.push_back(material.name);
+      }
+    const auto add = [this](const std::string &name, const std::string &unit, Carrier carrier) {
+      fields.push_back({name, unit, carrier});
+      return static_cast<int>(fields.size()) - 1;
+    };
+    if (scene.has_effect("strength"))
+      {
+        index.stress_00      = add("deviatoric stress 00", "Mbar", Carrier::volume);
+        index.stress_11      = add("deviatoric stress 11", "Mbar", Carrier::volume);
+        index.stress_01      = add("deviatoric stress 01", "Mbar", Carrier::volume);
+        index.plastic_strain = add("plastic strain", "1", Carrier::mass);
+      }
+
+    std::vector<int> bodies_of_material(materials.size(), 0);
+    for (const Body<dim> &body : scene.bodies)
+      {
+        body_material.push_back(static_cast<Index>(body.material));
+        ++bodies_of_material[body.material];
+      }
+    body_tag.assign(scene.bodies.size(), -1);
+    bodies_separable = true;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      if (--bodies_of_material[scene.bodies[b].material] > 0)
+        {
+          if (scene.has_effect("body tags"))
+            body_tag[b] = add("body " + scene.bodies[b].name, "1", Carrier::mass);
+          else
+            bodies_separable = false;
+        }
+  }
+
+  template <int dim>
+  State<dim>
+  FieldLayout::allocate(const FlatMesh<dim> &mesh) const
+  {
+    const std::size_t n_cells = mesh.n_cells, n_nodes = mesh.n_nodes;
+    State<dim>        state;
+    for (int d = 0; d < dim; ++d)
+      {
+        state.position[d] = mesh.node_point[d];
+        state.velocity[d].assign(n_nodes, 0.);
+      }
+    state.node_mass.assign(n_nodes, 0.);
+    state.volume.assign(n_cells, 0.);
+    state.corner_weight.assign(n_cells * FlatMesh<dim>::corners, 0.);
+    state.index = index;
+    for (const Material &model : materials)
+      {
+        MaterialState m;
+        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy, &m.pressure, &m.sound_speed})
+          array->assign(n_cells, 0.);
+        if (model.void_law)
+          m.void_fraction.assign(n_cells, 0.);
+        for (const FieldDescription &description : fields)
+          m.fields.push_back({description, std::vector<double>(n_cells, 0.)});
+        state.material.push_back(std::move(m));
+      }
+    return state;
+  }
+
+  template <int dim>
+  std::vector<std::vector<double> *>
+  FieldLayout::cell_arrays(State<dim> &state) const
+  {
+    std::vector<std::vector<double> *> arrays{&state.volume};
+    for (MaterialState &m : state.material)
+      {
+        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy})
+          arrays.push_back(array);
+        if (m.has_voids())
+          arrays.push_back(&m.void_fraction);
+        for (Field &field : m.fields)
+          arrays.push_back(&field.value);
+      }
+    return arrays;
+  }
+
+  template FieldLayout::FieldLayout(const Scene<2> &);
+  template State<2>
+  FieldLayout::allocate(const FlatMesh<2> &) const;
+  template std::vector<std::vector<double> *>
+  FieldLayout::cell_arrays(State<2> &) const;
+} // namespace whipple

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/lagrange_step.h>
+#include <whipple/projection/debris_selection.h>
+#include <whipple/projection/element.h>
+#include <whipple/projection/to_eulerian.h>
+#include <whipple/projection/to_lagrangian.h>
+#include <whipple/stage/collective.h>
+#include <whipple/stage/handover.h>
+#include <whipple/stage/painting.h>
+
+#include <algorithm>
+#include <array>
+
+namespace whipple
+{
+  namespace
+  {
+    template <int dim>
+    ConservedTotals<dim>
+    sum_over_ranks(ConservedTotals<dim> totals, MPI_Comm communicator)
+    {
+      std::array<double, dim + 3> values;
+      values[0] = totals.mass;
+      values[1] = totals.internal_energy;
+      values[2] = totals.kinetic_energy;
+      for (int d = 0; d < dim; ++d)
+        values[3 + d] = totals.momentum[d];
+      MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, communicator);
+      totals.mass            = values[0];
+      totals.internal_energy = values[1];
+      totals.kinetic_energy  = values[2];
+      for (int d = 0; d < dim; ++d)
+        totals.momentum[d] = values[3 + d];
+      return totals;
+    }
+
+    /// Kinetic energy a projection lost: heat stays in the problem, what is dropped leaves it.
+    template <int dim>
+    void
+    book_loss(KineticLoss loss, double energy, const std::string &cause, Ledger<dim> &ledger)
+    {
+      ledger.convert(cause, energy);
+      if (loss == KineticLoss::drop)
+        {
+          ConservedTotals<dim> lost;
+          lost.kinetic_energy = energy;
+          ledger.drop(cause, lost);
+        }
+    }
+
+    /// Bounding box of an element.
+    template <int dim>
+    std::array<Vector<dim>, 2>
+    bounding_box(const Element<dim> &element)
+    {
+      std::array<Vector<dim>, 2> box;
+      for (int d = 0; d < dim; ++d)
+        {
+          const auto [low, high] = std::minmax_element(element.position[d].begin(), element.position[d].end());
+          box[0][d]              = *low;
+          box[1][d]              = *high;
+        }
+      return box;
+    }
+
+    template <int dim>
+    double
+    solid_fraction(const CellPacketLayout<dim> &layout, const CellPacket &packet)
+    {
+      double solid = 0, volume = 0;
+      for (int m = 0; m < layout.n_materials(); ++m)
+        {
+          volume += packet[layout.volume(m)];
+          solid += packet[layout.volume(m)] * (1. - packet[layout.void_fraction(m)]);
+        }
+      return volume > 0 ? solid / volume : 1.;
+    }
+  } // namespace
+
+  template <int dim>
+  Handover<dim>::Handover(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding)
+    : scene_(scene)
+    , layout_(layout)
+    , regridding_(regridding)
+  {
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    if (!previous)
+      start(stage, domain, ledger);
+    else if (previous->mode == StageMode::lagrangian)
+      lay_down(stage, domain, ledger);
+    else if (!stage.introduces.empty())
+      {
+        ledger.convert("regrid", regridding_.regrid(domain, KineticLoss::heat, stage.introduces));
+        paint(stage, domain, ledger);
+      }
+    if (stage.mode == StageMode::lagrangian)
+      take_up(stage, previous && previous->mode == StageMode::eulerian, domain, ledger);
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    RefinementMap<dim> map(scene_.lattice);
+    request_bodies(scene_, std::span<const std::size_t>(stage.introduces), map);
+    map.synchronise(domain.communicator());
+    regridding_.build(domain, map);
+    paint(stage, domain, ledger);
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::paint(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    const FlatMesh<dim>       &mesh   = domain.view->mesh;
+    const ConservedTotals<dim> before = totals(mesh, domain.state, domain.communicator());
+    paint_bodies(scene_, layout_, std::span<const std::size_t>(stage.introduces), mesh, domain.communicator(),
+                 domain.state);
+    ConservedTotals<dim> entered = totals(mesh, domain.state, domain.communicator());
+    entered.mass -= before.mass;
+    entered.internal_energy -= before.internal_energy;
+    entered.kinetic_energy -= before.kinetic_energy;
+    for (int d = 0; d < dim; ++d)
+      entered.momentum[d] -= before.momentum[d];
+    ledger.introduce(entered);
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    const MPI_Comm communicator = domain.communicator();
+    const auto     layout       = CellPacketLayout<dim>::of(domain.state);
+    const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
+
+    RefinementMap<dim> map(scene_.lattice);
+    for (const Element<dim> &element : elements)
+      {
+        const auto        box    = bounding_box(element);
+        const Vector<dim> upper  = scene_.upper_corner();
+        bool              inside = true;
+        for (int d = 0; d < dim; ++d)
+          inside = inside && box[1][d] > scene_.lattice.origin[d] && box[0][d] < upper[d];
+        if (inside)
+          map.request(regridding_.wanted_level(solid_fraction(layout, element.packet)), box[0], box[1],
+                      scene_.mesh.buffer);
+      }
+    request_bodies(scene_, std::span<const std::size_t>(stage.introduces), map);
+    map.synchronise(communicator);
+    regridding_.build(domain, map);
+    paint(stage, domain, ledger);
+
+    const ToEulerianReport<dim> report =
+        to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
+                    scene_.boundaries, stage.lost_kinetic_energy, domain.state);
+    ledger.leave(report.left_domain);
+    book_loss(stage.lost_kinetic_energy, report.kinetic_loss, "projection", ledger);
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::take_up(const Stage &stage, bool select, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    const MPI_Comm       communicator = domain.communicator();
+    const FlatMesh<dim> &cells        = domain.view->mesh;
+    DebrisCriteria       criteria;
+    criteria.void_cutoff = 1.;
+    if (select)
+      {
+        criteria.void_cutoff    = stage.debris.void_cutoff;
+        criteria.least_velocity = stage.debris.minimum_axial_velocity;
+        if (stage.debris.behind)
+          criteria.plane = extent(scene_.bodies[*stage.debris.behind].shape).upper[1];
+      }
+    const DebrisSelection<dim> selection = select_debris(cells, domain.state, criteria);
+    for (const Verdict verdict : {Verdict::void_cutoff, Verdict::not_debris})
+      {
+        const auto amount = sum_over_ranks(selection.amount_of(verdict), communicator);
+        if (amount.mass > 0)
+          ledger.drop(std::string(name(verdict)), amount);
+      }
+
+    std::vector<std::uint8_t> active(domain.forest.leaves().size(), 0);
+    for (Index c = 0; c < cells.n_owned; ++c)
+      active[domain.view->leaf_of_cell[c]] = selection.kept(c);
+    const bool bonded = stage.cohesion == Cohesion::bonded;
+    auto       view   = domain.forest.flatten(active, bonded ? halo_width<dim> : 0, stage.cohesion);
+
+    ToLagrangianReport<dim> report;
+    State<dim> state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
+                                     std::span<const std::string>(layout_.material_names), report);
+    state.time       = domain.state.time;
+    domain.state     = std::move(state);
+    domain.view      = std::move(view);
+    exchange_cells(layout_, domain.view->halo, domain.state);
+    domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
+    domain.view->halo.exchange(
+        {}, std::vector<std::vector<double> *>{&domain.state.velocity[0], &domain.state.velocity[1]});
+    book_loss(stage.lost_kinetic_energy, whipple::sum_over_ranks(report.kinetic_loss, communicator), "projection",
+              ledger);
+  }
+
+  template class Handover<2>;
+} // namespace whipple

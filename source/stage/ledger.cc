@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/stage/ledger.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace whipple
+{
+  template <int dim>
+  void
+  Ledger<dim>::introduce(const ConservedTotals<dim> &amounts)
+  {
+    introduced_ += amounts;
+    momentum_scale_ += std::sqrt(2. * amounts.mass * amounts.kinetic_energy);
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::leave(const ConservedTotals<dim> &amounts)
+  {
+    left_ += amounts;
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::drop(const std::string &reason, const ConservedTotals<dim> &amounts)
+  {
+    dropped_[reason] += amounts;
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::convert(const std::string &cause, double energy)
+  {
+    conversions_[cause] += energy;
+  }
+
+  template <int dim>
+  typename Ledger<dim>::Closure
+  Ledger<dim>::imbalance(const ConservedTotals<dim> &present) const
+  {
+    ConservedTotals<dim> gone = left_;
+    for (const auto &[reason, amounts] : dropped_)
+      gone += amounts;
+    const auto relative = [](double difference, double scale) { return scale > 0 ? difference / scale : difference; };
+    Closure    result;
+    result.mass = relative(present.mass + gone.mass - introduced_.mass, introduced_.mass);
+    // bodies at rest that gas or deposited energy sets in motion have no momentum scale but that of the energy
+    const double momentum_scale =
+        std::max(momentum_scale_, std::sqrt(2. * introduced_.mass * introduced_.total_energy()));
+    result.axial_momentum =
+        relative(present.momentum[axial] + gone.momentum[axial] - introduced_.momentum[axial], momentum_scale);
+    result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(),
+                             std::max(introduced_.kinetic_energy, std::abs(introduced_.internal_energy)));
+    return result;
+  }
+
+  template <int dim>
+  typename Ledger<dim>::Closure
+  Ledger<dim>::closure(const ConservedTotals<dim> &present) const
+  {
+    Closure result        = imbalance(present);
+    result.mass           = std::abs(result.mass);
+    result.axial_momentum = std::abs(result.axial_momentum);
+    result.energy         = std::abs(result.energy);
+    return result;
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::check(const ConservedTotals<dim> &present, const std::string &event, double tolerance)
+  {
+    const Closure now   = imbalance(present);
+    const auto    judge = [&](const char *quantity, double before, double after) {
+      if (std::abs(after - before) <= tolerance) // false for what is not a number
+        return;
+      std::ostringstream text;
+      text.precision(3);
+      text << std::scientific << event << " changed the " << quantity << " of the problem by " << after - before
+           << " of what was introduced, allowed is " << tolerance;
+      throw ConservationError(text.str());
+    };
+    judge("mass", last_.mass, now.mass);
+    judge("axial momentum", last_.axial_momentum, now.axial_momentum);
+    judge("total energy", last_.energy, now.energy);
+    last_ = now;
+  }
+
+  template class Ledger<2>;
+} // namespace whipple

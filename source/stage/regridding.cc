@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/lagrange_step.h>
+#include <whipple/remap/cell_split.h>
+#include <whipple/remap/interface_normal.h>
+#include <whipple/stage/collective.h>
+#include <whipple/stage/painting.h>
+#include <whipple/stage/regridding.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Work of a leaf for the partition: an empty one costs its share of the regrid only.
+    unsigned int
+    leaf_weight(const CellPacket &packet)
+    {
+      return packet.empty() ? 1 : 20;
+    }
+  } // namespace
+
+  template <int dim>
+  Regridding<dim>::Regridding(const Scene<dim> &scene, const FieldLayout &layout)
+    : scene_(scene)
+    , layout_(layout)
+  {
+  }
+
+  template <int dim>
+  int
+  Regridding<dim>::wanted_level(double solid_fraction) const
+  {
+    const int finest = scene_.lattice.max_level;
+    if (solid_fraction >= scene_.mesh.solid_fraction)
+      return finest;
+    const double below = std::log(solid_fraction / scene_.mesh.solid_fraction) / std::log(scene_.mesh.solid_ratio);
+    return below >= finest ? 0 : finest - 1 - static_cast<int>(below);
+  }
+
+  template <int dim>
+  double
+  Regridding<dim>::solid_fraction(const State<dim> &state, Index cell)
+  {
+    double solid = 0, volume = 0;
+    for (const MaterialState &m : state.material)
+      {
+        volume += m.volume[cell];
+        solid += m.volume[cell] * (m.has_voids() ? 1. - m.void_fraction[cell] : 1.);
+      }
+    return volume > 0 ? solid / volume : 0.;
+  }
+
+  template <int dim>
+  std::uint8_t
+  Regridding<dim>::target(const RefinementMap<dim> &map, CellKey leaf) const
+  {
+    return scene_.mesh.refinement == Refinement::uniform ? static_cast<std::uint8_t>(scene_.lattice.max_level)
+                                                         : map.target_level(leaf);
+  }
+
+  template <int dim>
+  void
+  Regridding<dim>::flatten(Domain<dim> &domain, const RefinementMap<dim> &map) const
+  {
+    const auto                leaves = domain.forest.leaves();
+    std::vector<std::uint8_t> active(leaves.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      active[i] = map.touched(leaves[i]);
+    const double time = domain.state.time;
+    domain.view       = domain.forest.flatten(active, halo_width<dim>, Cohesion::bonded);
+    domain.state      = layout_.allocate(domain.view->mesh);
+    domain.state.time = time;
+    initialise_geometry(domain.view->mesh, domain.state);
+  }
+
+  template <int dim>
+  void
+  Regridding<dim>::build(Domain<dim> &domain, const RefinementMap<dim> &map) const
+  {
+    std::vector<CellPacket> packets(domain.forest.leaves().size());
+    domain.forest.adapt_until([&](CellKey leaf) { return target(map, leaf); }, packets, PacketRemap<dim>{});
+    // nothing to weigh yet but what will be active: a packet of one number marks it
+    for (std::size_t i = 0; i < packets.size(); ++i)
+      if (map.touched(domain.forest.leaves()[i]))
+        packets[i] = {1.};
+    domain.forest.repartition(packets, leaf_weight);
+    flatten(domain, map);
+  }
+
+  template <int dim>
+  double
+  Regridding<dim>::regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering) const
+  {
+    const MPI_Comm          communicator = domain.communicator();
+    const FlatMesh<dim>    &mesh         = domain.view->mesh;
+    const auto              layout       = CellPacketLayout<dim>::of(domain.state);
+    RefinementMap<dim>      map(scene_.lattice);
+    std::vector<CellPacket> packets(domain.forest.leaves().size());
+    {
+      const InterfaceNormals<dim> normals = interface_normals(mesh, domain.state);
+      const CornerVelocities<dim> corners = corner_velocities(mesh, domain.state);
+      for (Index c = 0; c < mesh.n_owned; ++c)
+        {
+          const double solid = solid_fraction(domain.state, c);
+          if (solid == 0.)
+            continue;
+          packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
+          LatticePoint<dim> lower = key_point<dim>(mesh.key[c]), upper = lower;
+          for (int d = 0; d < dim; ++d)
+            upper[d] += scene_.lattice.extent(mesh.level[c]);
+          map.request(wanted_level(solid), lower, upper, scene_.mesh.buffer);
+        }
+    }
+    request_bodies(scene_, entering, map);
+    map.synchronise(communicator);
+
+    const PacketRemap<dim> remap = CellSplit<dim>(scene_.lattice, layout).packet_remap();
+    domain.forest.adapt_until([&](CellKey leaf) { return target(map, leaf); }, packets, remap, leaf_weight);
+    flatten(domain, map);
+
+    const FlatMesh<dim>  &now = domain.view->mesh;
+    CornerVelocities<dim> corners(now.n_cells);
+    for (Index c = 0; c < now.n_owned; ++c)
+      unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
+    exchange_cells(layout_, domain.view->halo, domain.state);
+    exchange_corners(domain.view->halo, corners);
+    const GatherReport<dim> report = gather_velocities(now, scene_.boundaries, corners, loss, domain.state);
+    return sum_over_ranks(report.kinetic_loss, communicator);
+  }
+
+  template <int dim>
+  std::vector<Index>
+  Regridding<dim>::guard_cells(const FlatMesh<dim> &mesh)
+  {
+    std::vector<std::uint8_t> guard(mesh.n_cells, 0);
+    for (const FlatFaces<dim> &faces : mesh.faces)
+      for (Index f = 0; f < faces.size(); ++f)
+        for (int s = 0; s < 2; ++s)
+          if (faces.cell[s][f] == none && faces.side[f] == -1)
+            guard[faces.cell[1 - s][f]] = 1;
+    for (const FlatFaces<dim> &faces : mesh.faces)
+      for (Index f = 0; f < faces.size(); ++f)
+        for (int s = 0; s < 2; ++s)
+          {
+            const Index a = faces.cell[s][f], b = faces.cell[1 - s][f];
+            if (a != none && b != none && guard[a] == 1 && guard[b] == 0)
+              guard[b] = 2;
+          }
+    std::vector<Index> cells;
+    for (Index c = 0; c < mesh.n_owned; ++c)
+      if (guard[c])
+        cells.push_back(c);
+    return cells;
+  }
+
+  template class Regridding<2>;
+} // namespace whipple

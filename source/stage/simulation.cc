@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/output/process_use.h>
+#include <whipple/stage/debris_measure.h>
+#include <whipple/stage/plate_measure.h>
+#include <whipple/stage/simulation.h>
+#include <whipple/stage/stage_loop.h>
+
+#include <filesystem>
+#include <variant>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Largest part of a conserved quantity a projection may lose.
+    constexpr double projection_round_off = 1e-12;
+
+    template <int dim>
+    summary::Balance
+    balance(const ConservedTotals<dim> &introduced, const ConservedTotals<dim> &present, const Ledger<dim> &ledger,
+            double (*quantity)(const ConservedTotals<dim> &), double closure)
+    {
+      summary::Balance result;
+      result.initial     = quantity(introduced);
+      result.final_value = quantity(present);
+      result.left_domain = quantity(ledger.left());
+      for (const auto &[reason, amount] : ledger.dropped())
+        result.dropped[reason] = quantity(amount);
+      result.closure_relative = closure;
+      return result;
+    }
+
+    template <int dim>
+    summary::Ledger
+    summarise(const Ledger<dim> &ledger, const ConservedTotals<dim> &present)
+    {
+      using Totals            = ConservedTotals<dim>;
+      const auto      closure = ledger.closure(present);
+      const Totals   &begin   = ledger.introduced();
+      summary::Ledger result;
+      result.mass = balance<dim>(
+          begin, present, ledger, [](const Totals &t) { return t.mass; }, closure.mass);
+      result.axial_momentum = balance<dim>(
+          begin, present, ledger, [](const Totals &t) { return t.momentum[Ledger<dim>::axial]; },
+          closure.axial_momentum);
+      result.energy = balance<dim>(
+          begin, present, ledger, [](const Totals &t) { return t.total_energy(); }, closure.energy);
+      auto &extra               = result.energy.extra;
+      extra["initial_kinetic"]  = begin.kinetic_energy;
+      extra["initial_internal"] = begin.internal_energy;
+      extra["kinetic"]          = present.kinetic_energy;
+      extra["internal"]         = present.internal_energy;
+      const auto converted      = [&](const char *cause) {
+        const auto found = ledger.conversions().find(cause);
+        return found == ledger.conversions().end() ? 0. : found->second;
+      };
+      extra["remap_loss"]              = converted("remap");
+      extra["regrid_loss"]             = converted("regrid");
+      extra["projection_loss"]         = converted("projection");
+      extra["released_fragments_loss"] = converted("released fragments");
+      extra["plastic_work"]            = converted("plastic work");
+      extra["viscous_work"]            = converted("viscous work");
+      extra["hourglass_work"]          = converted("hourglass work");
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim> &scene, const std::string &directory, bool live, MPI_Comm communicator)
+    : scene_(scene)
+    , layout_(scene_)
+    , directory_(directory)
+    , regridding_(scene_, layout_)
+    , handover_(scene_, layout_, regridding_)
+    , reporter_(scene_, layout_, directory, live, communicator)
+    , domain_{Forest<dim>(communicator, scene_.lattice), nullptr, {}}
+    , wall_start_(MPI_Wtime())
+    , entered_(scene_.bodies.size(), false)
+  {
+    summary_.scene = std::filesystem::path(scene_.file).filename().string();
+    for (const char *name : {"strength", "voids", "body tags"})
+      summary_.effects[name] = {
+          scene_.has_effect(name), {}, scene_.has_effect(name) ? "listed by the scene" : "not listed by the scene"};
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_plates(const Stage &stage)
+  {
+    if (stage.mode != StageMode::eulerian)
+      return;
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
+      if (entered_[b] && std::holds_alternative<Plate<dim>>(scene_.bodies[b].shape))
+        {
+          const PlateMeasure m =
+              measure_plate(scene_, layout_, b, domain_.view->mesh, domain_.state, domain_.communicator());
+          auto &results                        = summary_.results[scene_.bodies[b].name];
+          results["hole_diameter_cm"]          = m.hole_diameter;
+          results["smallest_hole_diameter_cm"] = m.smallest_hole_diameter;
+          results["perforated"]                = m.perforated;
+          results["crater_depth_cm"]           = m.crater_depth;
+          results["least_thickness_cm"]        = m.least_thickness;
+          results["measured_at_us"]            = domain_.state.time;
+        }
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_cloud(const Stage &stage, const std::string &prefix)
+  {
+    const double        origin = stage.debris.behind ? extent(scene_.bodies[*stage.debris.behind].shape).upper[1] : 0.;
+    const DebrisMeasure m      = measure_debris<dim>(
+        domain_.view->mesh, domain_.state, [](Index) { return true; }, origin, domain_.communicator());
+    auto &results                                       = summary_.results[stage.name];
+    results[prefix + "mass_g"]                          = m.mass;
+    results[prefix + "axial_momentum_g_cm_per_us"]      = m.axial_momentum;
+    results[prefix + "mass_velocity_cm_per_us"]         = m.mass_velocity;
+    results[prefix + "leading_edge_cm"]                 = m.leading_edge;
+    results[prefix + "leading_edge_velocity_cm_per_us"] = m.leading_edge_velocity;
+    results[prefix + "length_cm"]                       = m.length;
+    results[prefix + "radius_cm"]                       = m.radius;
+    results[prefix + "radius_95_cm"]                    = m.radius_95;
+    results[prefix + "depth_95_cm"]                     = m.depth_95;
+    results[prefix + "cone_angle_deg"]                  = m.cone_angle;
+    results[prefix + "time_us"]                         = domain_.state.time;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::run_stage(std::size_t number)
+  {
+    const Stage &stage = scene_.stages[number];
+    for (const std::size_t b : stage.introduces)
+      entered_[b] = true;
+    handover_.enter(stage, number > 0 ? &scene_.stages[number - 1] : nullptr, domain_, ledger_);
+    if (stage.mode == StageMode::lagrangian)
+      // what has been dropped with the plate is no longer there to measure
+      entered_.assign(entered_.size(), false);
+
+    StageLoop<dim> loop(scene_, layout_, regridding_, stage, static_cast<int>(number), reporter_);
+    ledger_.check(totals(domain_.view->mesh, domain_.state, domain_.communicator()),
+                  "the projection into stage '" + stage.name + "'", projection_round_off);
+    if (stage.mode == StageMode::lagrangian)
+      measure_cloud(stage, "handover_");
+    summary_.stages.push_back(loop.run(domain_, ledger_, summary_.counts));
+    if (stage.mode == StageMode::lagrangian)
+      measure_cloud(stage, "");
+    measure_plates(stage);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_summary()
+  {
+    const MPI_Comm communicator = domain_.communicator();
+    if (domain_.view)
+      {
+        const FlatMesh<dim> &mesh = domain_.view->mesh;
+        summary_.ledger           = summarise(ledger_, totals(mesh, domain_.state, communicator));
+        if (layout_.bodies_separable)
+          {
+            const auto bodies = body_totals(mesh, domain_.state, layout_.body_tag, layout_.body_material, communicator);
+            for (std::size_t b = 0; b < bodies.size(); ++b)
+              summary_.ledger.bodies[scene_.bodies[b].name] = {
+                  {"mass_g", bodies[b].mass},
+                  {"axial_momentum_g_cm_per_us", bodies[b].momentum[Ledger<dim>::axial]},
+                  {"internal_energy_Mbar_cm3", bodies[b].internal_energy},
+                  {"kinetic_energy_Mbar_cm3", bodies[b].kinetic_energy}};
+          }
+      }
+    const ProcessUse use                = process_use(communicator);
+    summary_.performance.wall_s         = MPI_Wtime() - wall_start_;
+    summary_.performance.cpu_s          = use.cpu_s;
+    summary_.performance.peak_rss_bytes = use.peak_rss_bytes;
+    MPI_Comm_size(communicator, &summary_.performance.ranks);
+    summary_.performance.active_cell_steps = 0;
+    for (const summary::Stage &stage : summary_.stages)
+      summary_.performance.active_cell_steps += stage.cell_steps;
+    summary_.counts.warnings = reporter_.log().warnings();
+    int rank                 = 0;
+    MPI_Comm_rank(communicator, &rank);
+    if (rank == 0)
+      summary::write(summary_, directory_);
+    reporter_.flush();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::run()
+  {
+    try
+      {
+        for (std::size_t number = 0; number < scene_.stages.size(); ++number)
+          run_stage(number);
+      }
+    catch (const StateError &error)
+      {
+        summary_.status = "stopped";
+        summary_.reason = error.what();
+        write_summary();
+        throw;
+      }
+    write_summary();
+  }
+
+  template class Simulation<2>;
+} // namespace whipple

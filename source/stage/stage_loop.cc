@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/fragment_release.h>
+#include <whipple/stage/collective.h>
+#include <whipple/stage/debris_measure.h>
+#include <whipple/stage/stage_loop.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Largest part of any conserved quantity that a step, regrid or projection may lose: the round-off of some
+    /// 1e5 cells.
+    constexpr double round_off = 1e-12;
+
+    /// Steps between snapshots, times a failed step is tried again from the last one, and the factor on the time
+    /// step then.
+    constexpr int    snapshot_steps = 10;
+    constexpr int    most_retries   = 3;
+    constexpr double retry_factor   = 0.5;
+
+    /// First time step as a part of the stable one: bodies in contact start with a discontinuity.
+    constexpr double first_step = 0.1;
+  } // namespace
+
+  template <int dim>
+  StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
+                            const Stage &stage, int number, Reporter<dim> &reporter)
+    : scene_(scene)
+    , layout_(layout)
+    , regridding_(regridding)
+    , stage_(stage)
+    , number_(number)
+    , reporter_(reporter)
+  {
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::new_mesh(Domain<dim> &domain)
+  {
+    const FlatMesh<dim> &mesh = domain.view->mesh;
+    cycle_                    = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
+    cycle_->refresh(domain.state);
+    guard_                   = Regridding<dim>::guard_cells(mesh);
+    cells_                   = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
+    record_.active_cells_max = std::max(record_.active_cells_max, cells_);
+    since_regrid_            = 0;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::regrid(Domain<dim> &domain, Ledger<dim> &ledger)
+  {
+    const double lost = regridding_.regrid(domain, stage_.lost_kinetic_energy);
+    ledger.convert("regrid", lost);
+    if (stage_.lost_kinetic_energy == KineticLoss::drop)
+      {
+        ConservedTotals<dim> dropped;
+        dropped.kinetic_energy = lost;
+        ledger.drop("regrid", dropped);
+      }
+    new_mesh(domain);
+    ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "a regrid", round_off);
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::guard_touched(const Domain<dim> &domain) const
+  {
+    int touched = 0;
+    for (const MaterialState &m : domain.state.material)
+      for (const Index c : guard_)
+        touched = touched || m.mass[c] > 0;
+    MPI_Allreduce(MPI_IN_PLACE, &touched, 1, MPI_INT, MPI_MAX, domain.communicator());
+    return touched;
+  }
+
+  template <int dim>
+  double
+  StageLoop<dim>::time_left(const Domain<dim> &domain)
+  {
+    if (stage_.end.kind != StageEnd::Kind::leading_edge)
+      return end_time_ - domain.state.time > 1e-9 * record_.end_us ? end_time_ - domain.state.time : 0.;
+
+    // time until the fastest corner could bridge the gap; a hundredth of a cell short of the plate is there
+    const double front    = extent(scene_.bodies[stage_.end.body].shape).lower[1];
+    const double foremost = foremost_point(domain.view->mesh, domain.state, domain.communicator());
+    const double gap      = front - foremost;
+    double       fastest  = 0;
+    for (Index n = 0; n < domain.state.n_nodes(); ++n)
+      if (domain.state.node_mass[n] > 0)
+        fastest = std::max(fastest, domain.state.velocity[1][n]);
+    fastest = max_over_ranks(fastest, domain.communicator());
+    if (gap <= 0.01 * scene_.lattice.spacing)
+      return 0.;
+    if (fastest <= 0)
+      throw StateError("stage '" + stage_.name + "' waits for a leading edge, but nothing moves towards body '" +
+                       scene_.bodies[stage_.end.body].name + "', " + std::to_string(gap) + " cm away");
+    record_.end_us = domain.state.time + gap / fastest;
+    return std::max(gap, 0.1 * scene_.lattice.spacing) / fastest;
+  }
+
+  template <int dim>
+  double
+  StageLoop<dim>::choose_time_step(const Domain<dim> &domain, double left)
+  {
+    limit_ = cycle_->time_step(domain.state);
+    if (!(limit_.dt > 0))
+      throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
+                       limit_.reason + ")");
+    double     dt    = caution_ * limit_.dt;
+    const auto lower = [&](double bound, const char *reason) {
+      if (bound < dt)
+        {
+          dt            = bound;
+          limit_.reason = reason;
+        }
+    };
+    lower(last_dt_ > 0 ? scene_.numerics.growth_limit * last_dt_ : first_step * limit_.dt, "growth");
+    lower(stage_.max_time_step, "scene");
+    last_dt_ = dt;
+    // two equal steps rather than a full one and a splinter
+    if (left < 2. * dt)
+      lower(left <= dt ? left : 0.5 * left, "end of stage");
+    return dt;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  {
+    const ReleaseReport report = release_fragments(domain.view->mesh, domain.state, 1.5 * limit_.dt);
+    ledger.convert("released fragments", sum_over_ranks(report.kinetic_loss, domain.communicator()));
+    counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
+  {
+    const double dt = choose_time_step(domain, left);
+    if (stage_.mode == StageMode::lagrangian && stage_.cohesion == Cohesion::fragments)
+      release(domain, ledger, counts);
+    if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
+      for (MaterialState &m : domain.state.material)
+        std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
+    cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
+    const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+    ledger.check(present, "a step", round_off);
+
+    ++record_.steps;
+    ++since_regrid_;
+    ++record_.dt_limits[limit_.reason];
+    record_.cell_steps += cells_;
+    const double fraction = (domain.state.time - record_.start_us) / (record_.end_us - record_.start_us);
+    reporter_.step_done({&stage_, number_, record_.steps, dt, &limit_, cells_, fraction}, domain, ledger, present);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error)
+  {
+    domain.state  = snapshot_.state;
+    ledger        = snapshot_.ledger;
+    record_.steps = snapshot_.step;
+    if (retries_ == most_retries)
+      {
+        reporter_.failed(stage_, domain, error.what());
+        throw error;
+      }
+    ++retries_;
+    ++counts.retries;
+    caution_ *= retry_factor;
+    reporter_.log().warning("gone back to step " + std::to_string(snapshot_.step) +
+                            " for a smaller time step: " + error.what());
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger)
+  {
+    if (record_.steps > snapshot_.step)
+      {
+        retries_ = 0;
+        caution_ = 1;
+      }
+    snapshot_ = {domain.state, ledger, record_.steps};
+  }
+
+  template <int dim>
+  summary::Stage
+  StageLoop<dim>::run(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  {
+    const double wall_start = MPI_Wtime();
+    const bool   eulerian   = stage_.mode == StageMode::eulerian;
+    record_                 = summary::Stage{};
+    record_.name            = stage_.name;
+    record_.mode            = eulerian ? "eulerian" : "lagrangian";
+    record_.start_us        = domain.state.time;
+    end_time_               = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? domain.state.time : 0.);
+    record_.end_us          = end_time_;
+    new_mesh(domain);
+    if (!eulerian)
+      record_.elements = cells_;
+    reporter_.stage_begins(stage_, number_, domain);
+    take_snapshot(domain, ledger);
+
+    for (double left; (left = time_left(domain)) > 0;)
+      {
+        try
+          {
+            step(domain, ledger, counts, left);
+          }
+        catch (const StateError &error)
+          {
+            go_back(domain, ledger, counts, error);
+            continue;
+          }
+        if (eulerian && (since_regrid_ >= scene_.mesh.regrid_steps || guard_touched(domain)))
+          {
+            regrid(domain, ledger);
+            take_snapshot(domain, ledger);
+          }
+        else if (record_.steps - snapshot_.step >= snapshot_steps)
+          take_snapshot(domain, ledger);
+      }
+
+    record_.end_us = domain.state.time;
+    record_.wall_s = MPI_Wtime() - wall_start;
+    int ranks      = 1;
+    MPI_Comm_size(domain.communicator(), &ranks);
+    if (record_.wall_s > 0)
+      record_.cell_steps_per_s_per_rank = record_.cell_steps / record_.wall_s / ranks;
+    if (eulerian)
+      record_.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
+    reporter_.stage_ends(stage_, domain, ledger);
+    return record_;
+  }
+
+  template class StageLoop<2>;
+} // namespace whipple

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# What is wrong with the input is one line on standard error and exit status 2; nothing is computed or written.
+program=$1
+
+# rejects WORDS ARGUMENTS...: the message holds WORDS
+rejects() {
+  words=$1
+  shift
+  status=0
+  "$program" "$@" >out.txt 2>err.txt || status=$?
+  [ "$status" -eq 2 ] || { echo "status $status, not 2: $*"; cat err.txt; exit 1; }
+  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "not one line: $*"; cat err.txt; exit 1; }
+  grep -qF -- "$words" err.txt || { echo "'$words' is not in:"; cat err.txt; exit 1; }
+  [ ! -s out.txt ] || { echo "output despite wrong input: $*"; exit 1; }
+}
+
+rejects "unknown verb 'fly'" fly
+rejects 'a verb of the launcher' test
+rejects 'needs a scene file' run
+rejects "unknown option '--sett'" run scene.prm --sett 'A = b'
+rejects "--set = 'Courant'" run scene.prm --set Courant
+rejects "-n = '0'" run scene.prm -n 0
+rejects "-n = 'two'" run scene.prm -n two
+rejects 'two scene files' run one.prm two.prm
+rejects 'needs a value' run scene.prm --output
+rejects "no help on 'weather'" help weather
+rejects 'no_such_scene.prm' run no_such_scene.prm --validate
+rejects 'no_such_scene.prm' run no_such_scene.prm -n 2
+[ ! -e output ] || { echo 'something was written'; exit 1; }

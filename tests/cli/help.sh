@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Every help topic answers on standard output, with status 0 and nothing on standard error.
+program=$1
+
+# answers WORDS ARGUMENTS...
+answers() {
+  words=$1
+  shift
+  "$program" "$@" >out.txt 2>err.txt
+  grep -q -- "$words" out.txt || { echo "'$words' is not in the output of: $*"; cat out.txt; exit 1; }
+  [ ! -s err.txt ] || { cat err.txt; exit 1; }
+}
+
+answers 'whipple run SCENE' help
+answers 'whipple run SCENE'
+answers 'scene_files.md' help scene
+answers 'body tags' help effects
+answers 'aluminium' help materials
+answers '^Whipple [0-9]' --version

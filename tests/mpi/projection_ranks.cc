@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "../unit/projection_fixture.h"
+
+#include <whipple/projection/to_eulerian.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+  using namespace whipple;
+  using namespace whipple::projection_test;
+
+  /// Cut [0, n) in as many slices as there are ranks.
+  std::pair<Index, Index>
+  my_slice(Index n)
+  {
+    int rank, ranks;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    return {n * rank / ranks, n * (rank + 1) / ranks};
+  }
+} // namespace
+
+TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
+{
+  // the same cloud on every rank
+  const auto grid  = lattice(Symmetry::axisymmetric, 6, 1);
+  const auto cloud = mesh_of(grid, uniform_keys(grid, 1), Cohesion::fragments);
+  State<2>   state = blank_state(cloud);
+  Random     random(51);
+  fill_randomly(state, random);
+  set_velocities(cloud, state, 0.2, random);
+  for (Index node = 0; node < cloud.n_nodes; ++node)
+    for (int d = 0; d < 2; ++d)
+      if (d == 1 || state.position[0][node] > 0)
+        state.position[d][node] += 0.01 * random(-1., 1.);
+  const auto layout = CellPacketLayout<2>::of(state);
+  const auto all    = elements_of<2>(layout, cloud, state);
+
+  // each rank brings a slice of the elements
+  const auto [first, last] = my_slice(static_cast<Index>(all.size()));
+  const auto gathered =
+      gather_elements<2>(MPI_COMM_WORLD, layout, std::vector<Element<2>>(all.begin() + first, all.begin() + last));
+  const auto reference = gather_elements<2>(MPI_COMM_SELF, layout, all);
+  ASSERT_EQ(gathered.size(), reference.size());
+  for (std::size_t i = 0; i < gathered.size(); ++i)
+    {
+      EXPECT_EQ(gathered[i].key, reference[i].key);
+      EXPECT_EQ(gathered[i].position, reference[i].position);
+      EXPECT_EQ(gathered[i].corner_mass, reference[i].corner_mass);
+      EXPECT_EQ(gathered[i].packet, reference[i].packet);
+    }
+
+  // and owns a slice of the cells, the rest being halo
+  const auto serial_mesh  = mesh_of(grid, hanging_keys(grid));
+  State<2>   serial_state = blank_state(serial_mesh);
+  const auto serial = to_eulerian<2>(MPI_COMM_SELF, grid, layout, reference, Representation::distended, serial_mesh, {},
+                                     KineticLoss::heat, serial_state);
+
+  auto keys               = serial_mesh.key;
+  const auto [begin, end] = my_slice(serial_mesh.n_cells);
+  const Index n_owned     = end - begin;
+  std::rotate(keys.begin(), keys.begin() + begin, keys.end());
+  std::vector<std::uint8_t> layer(keys.size(), 1);
+  std::fill_n(layer.begin(), n_owned, 0);
+  const auto mesh   = build_flat_mesh<2>(grid, keys, n_owned, layer, 1, Cohesion::bonded);
+  State<2>   mine   = blank_state(mesh);
+  const auto report = to_eulerian<2>(MPI_COMM_WORLD, grid, layout, gathered, Representation::distended, mesh, {},
+                                     KineticLoss::heat, mine);
+  for (Index cell = 0; cell < n_owned; ++cell)
+    for (int m = 0; m < 2; ++m)
+      {
+        EXPECT_EQ(mine.material[m].mass[cell], serial_state.material[m].mass[begin + cell]);
+        EXPECT_EQ(mine.material[m].energy[cell], serial_state.material[m].energy[begin + cell]);
+        for (int k = 0; k < 4; ++k)
+          for (int d = 0; d < 2; ++d)
+            EXPECT_EQ(mine.velocity[d][mesh.cell_node[4 * cell + k]],
+                      serial_state.velocity[d][serial_mesh.cell_node[4 * (begin + cell) + k]]);
+      }
+  EXPECT_NEAR(report.kinetic_loss, serial.kinetic_loss, 1e-13 * serial.elements.kinetic_energy);
+  EXPECT_EQ(report.left_domain.mass, serial.left_domain.mass);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/closure.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+  using namespace whipple;
+
+  std::vector<double>
+  share(double volume, double next, const std::vector<closure::Part> &part)
+  {
+    std::vector<double> result(part.size());
+    closure::share_volume(volume, next, part, result);
+    return result;
+  }
+
+  TEST(HydroClosure, OpenVoidGivesFirst)
+  {
+    EXPECT_EQ(share(1., 0.8, {{0.7, 1., 0.1}})[0], 0.7);
+    EXPECT_DOUBLE_EQ(share(1., 0.6, {{0.7, 1., 0.1}})[0], 0.6);
+  }
+
+  TEST(HydroClosure, ExpansionOpensVoidUnlessThereIsPressure)
+  {
+    const auto v = share(1., 1.1, {{0.3, 1., 0.1}, {0.4, 1., -0.1}});
+    EXPECT_DOUBLE_EQ(v[0], 0.33);
+    EXPECT_EQ(v[1], 0.4);
+  }
+
+  TEST(HydroClosure, FullCellSharesByCompressibility)
+  {
+    const double next = 1. - 1e-6;
+    const auto   v    = share(1., next, {{0.25, 2., 0.}, {0.75, 0.5, 0.}});
+    EXPECT_DOUBLE_EQ(v[0] + v[1], next);
+    // the same pressure change: K_m dV_m / V_m equal
+    EXPECT_NEAR((v[0] / 0.25 - 1.) * 2., (v[1] / 0.75 - 1.) * 0.5, 1e-11);
+  }
+
+  TEST(HydroClosure, NothingBecomesNegative)
+  {
+    const auto v   = share(1., 0.05, {{0.9, 1e3, 0.}, {1e-7, 1e-6, 0.}, {0.1 - 1e-7, 1e-3, 0.}});
+    double     sum = 0;
+    for (const double volume : v)
+      {
+        EXPECT_GE(volume, 0.);
+        sum += volume;
+      }
+    EXPECT_NEAR(sum, 0.05, 1e-16);
+    EXPECT_DOUBLE_EQ(share(1., 0.5, {{0.25, 0., 0.}, {0.75, 1., 0.}})[0], 0.125);
+  }
+} // namespace

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/output/output_directory.h>
+#include <whipple/output/process_use.h>
+#include <whipple/output/run_log.h>
+#include <whipple/output/statistics.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace
+{
+  using namespace whipple;
+  namespace fs = std::filesystem;
+
+  /// An empty directory for one test.
+  class OutputText : public testing::Test
+  {
+  protected:
+    OutputText()
+    {
+      fs::remove_all(directory);
+      fs::create_directories(directory);
+    }
+    ~OutputText() override
+    {
+      fs::remove_all(directory);
+    }
+
+    std::string
+    content(const std::string &name) const
+    {
+      std::ifstream      file(directory / name);
+      std::ostringstream text;
+      text << file.rdbuf();
+      return text.str();
+    }
+
+    const fs::path directory =
+        fs::current_path() / (std::string("whipple_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  };
+
+  TEST_F(OutputText, StatisticsRowsReadBackExactly)
+  {
+    const std::array<StatisticsEntry, 3> first{{{"time [us]", 0.1 + 0.2}, {"mass [g]", 1e-300}, {"steps", 7}}};
+    const std::array<StatisticsEntry, 3> second{{{"time [us]", 1. / 3.}, {"mass [g]", NAN}, {"steps", 8}}};
+    const std::array<StatisticsEntry, 3> renamed{{{"time [s]", 0}, {"mass [g]", 0}, {"steps", 0}}};
+    Statistics                           statistics(directory.string(), MPI_COMM_SELF);
+    statistics.write(first);
+    statistics.write(second);
+    EXPECT_THROW(statistics.write(renamed), Error);
+    EXPECT_THROW(statistics.write(std::span(first).first(2)), Error);
+    statistics.flush();
+
+    std::istringstream table(content("statistics.csv"));
+    std::string        line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "time [us],mass [g],steps");
+    std::getline(table, line);
+    char *end = nullptr;
+    EXPECT_EQ(std::strtod(line.c_str(), &end), 0.1 + 0.2);
+    EXPECT_EQ(std::strtod(end + 1, &end), 1e-300);
+    EXPECT_EQ(std::string(end), ",7");
+    std::getline(table, line);
+    EXPECT_NE(line.find(",nan,8"), std::string::npos);
+  }
+
+  TEST_F(OutputText, LogGoesToFileAndTerminal)
+  {
+    std::ostringstream terminal;
+    {
+      RunLog log(directory.string(), MPI_COMM_SELF, terminal, false, 0.);
+      log.banner();
+      log.info("a line");
+      log.warning("thin ice");
+      log.warning("thinner ice");
+      EXPECT_EQ(log.warnings(), 2);
+    }
+    EXPECT_EQ(terminal.str(), content("log.txt"));
+    EXPECT_TRUE(terminal.str().starts_with("Whipple "));
+    EXPECT_NE(terminal.str().find("p4est"), std::string::npos);
+    EXPECT_NE(terminal.str().find("\nwarning: thin ice\n"), std::string::npos);
+  }
+
+  TEST_F(OutputText, ProgressIsPlainLinesOffATerminal)
+  {
+    std::ostringstream terminal;
+    RunLog             log(directory.string(), MPI_COMM_SELF, terminal, false, 3600.);
+    const Progress     progress{"perforation", 12, 0.5, 1e-3, "sound speed", 4711, 0.25};
+    log.progress(progress);
+    log.progress(progress); // not due yet
+    const std::string text = terminal.str();
+    EXPECT_EQ(text.find('\r'), std::string::npos);
+    EXPECT_EQ(text.find("perforation: step 12, t = 0.5000 us, dt = 1.000e-03 us (sound speed), 4711 cells, 25.0 %"),
+              0u);
+    EXPECT_EQ(text.find('\n'), text.size() - 1);
+  }
+
+  TEST_F(OutputText, ProgressIsRefreshedInPlaceOnATerminal)
+  {
+    std::ostringstream terminal;
+    {
+      RunLog log(directory.string(), MPI_COMM_SELF, terminal, true, 0.);
+      log.progress({"perforation", 1, 0.5, 1e-3, "sound speed", 100, NAN});
+      log.progress({"flight", 2, 0.6, 1e-3, "-", 9, NAN});
+      log.info("done");
+      log.progress({"flight", 3, 0.6, 1e-3, "-", 9, NAN});
+    }
+    const std::string text = terminal.str();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2); // "done", and the end of the pending line
+    EXPECT_EQ(text.back(), '\n');
+    EXPECT_NE(text.find("\rdone\n"), std::string::npos);
+    EXPECT_EQ(text.find('%'), std::string::npos);
+    // the file gets the first progress line at once, then one every ten seconds
+    EXPECT_NE(content("log.txt").find("perforation: step 1"), std::string::npos);
+  }
+
+  TEST_F(OutputText, DirectoryOfAnEarlierRunIsCleared)
+  {
+    const std::string run = (directory / "deep" / "run").string();
+    prepare_output_directory(run, MPI_COMM_SELF);
+    std::ofstream(run + "/summary.json") << "{}";
+    std::ofstream(run + "/notes.txt") << "mine";
+    prepare_output_directory(run, MPI_COMM_SELF);
+    EXPECT_FALSE(fs::exists(run + "/summary.json"));
+    EXPECT_TRUE(fs::exists(run + "/notes.txt"));
+  }
+
+  TEST_F(OutputText, ForeignDirectoryIsRefused)
+  {
+    std::ofstream(directory / "notes.txt") << "mine";
+    EXPECT_THROW(prepare_output_directory(directory.string(), MPI_COMM_SELF), InputError);
+    EXPECT_THROW(prepare_output_directory((directory / "notes.txt").string(), MPI_COMM_SELF), InputError);
+    std::ofstream(directory / "log.txt") << "of something else";
+    EXPECT_THROW(prepare_output_directory(directory.string(), MPI_COMM_SELF), InputError);
+    EXPECT_EQ(content("log.txt"), "of something else");
+  }
+
+  TEST(ProcessUse, IsPlausible)
+  {
+    const ProcessUse use = process_use(MPI_COMM_SELF);
+    EXPECT_GT(use.cpu_s, 0.);
+    EXPECT_GT(use.peak_rss_bytes, 1e6);
+    EXPECT_LT(use.peak_rss_bytes, 1e12);
+  }
+} // namespace

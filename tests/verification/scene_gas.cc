@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Whole scenes through the program's own chain of stages, against exact solutions for gases.
+#include "exact_riemann.h"
+#include "exact_sedov.h"
+#include "scene_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace whipple;
+  using verification::CellSample;
+
+  /// L1 error of the density on [0, 1] at t = 0.2.
+  double
+  sod_error(const std::string &mode, const std::string &cell)
+  {
+    const auto simulation = verification::run(
+        "verification/sod.prm", {"Mesh/Finest cell = " + cell, "Stages/tube/Mode = " + mode}, "sod_" + mode + cell);
+    const exact::Riemann exact({1., 0., 1.}, {0.125, 0., 0.1}, 1.4);
+    double               error = 0, width = 0;
+    for (const CellSample &s : verification::samples(*simulation))
+      {
+        error += std::abs(s.density - exact((s.x[1] - 0.5) / 0.2).density) * s.volume;
+        width += s.volume;
+      }
+    return error / width;
+  }
+
+  // CloverLeaf's figures bound both modes
+  TEST(SceneSod, Eulerian100)
+  {
+    EXPECT_LE(sod_error("eulerian", "0.01 cm"), 4.4e-3);
+  }
+  TEST(SceneSod, Eulerian200)
+  {
+    EXPECT_LE(sod_error("eulerian", "0.005 cm"), 2.5e-3);
+  }
+  TEST(SceneSod, Eulerian400)
+  {
+    EXPECT_LE(sod_error("eulerian", "0.0025 cm"), 1.6e-3);
+  }
+  TEST(SceneSod, Lagrangian100)
+  {
+    EXPECT_LE(sod_error("lagrangian", "0.01 cm"), 4.4e-3);
+  }
+  TEST(SceneSod, Lagrangian200)
+  {
+    EXPECT_LE(sod_error("lagrangian", "0.005 cm"), 2.5e-3);
+  }
+  TEST(SceneSod, Lagrangian400)
+  {
+    EXPECT_LE(sod_error("lagrangian", "0.0025 cm"), 1.6e-3);
+  }
+
+  /// Relative L1 error of the density inside the unit sphere's neighbourhood, and the energy's closure.
+  void
+  expect_sedov(const std::string &cell, double bound)
+  {
+    const auto simulation =
+        verification::run("verification/sedov.prm", {"Mesh/Finest cell = " + cell}, "sedov_" + cell);
+    const exact::SedovSphere exact(5. / 3., 1., 1.);
+    double                   error = 0, norm = 0;
+    for (const CellSample &s : verification::samples(*simulation))
+      {
+        const double reference = exact.density(std::hypot(s.x[0], s.x[1]));
+        error += std::abs(s.density - reference) * s.volume;
+        norm += reference * s.volume;
+      }
+    RecordProperty("relative_l1_density", std::to_string(error / norm));
+    EXPECT_LT(error / norm, bound); // PENNANT's
+    const auto &ledger = simulation->summary().ledger;
+    ASSERT_TRUE(ledger.energy.closure_relative.has_value());
+    EXPECT_LT(*ledger.energy.closure_relative, 1e-12);
+  }
+
+  TEST(SceneSedov, Lagrangian45)
+  {
+    expect_sedov("0.025 cm", 0.216);
+  }
+  TEST(SceneSedov, Lagrangian90)
+  {
+    expect_sedov("0.0125 cm", 0.122);
+  }
+  TEST(SceneSedov, Lagrangian180)
+  {
+    expect_sedov("0.00625 cm", 0.077);
+  }
+} // namespace
