@@ -42,22 +42,24 @@ namespace whipple::cell_kernels
               select(compliance > 0., occupied / compliance, Pack(0.))};
     }
 
-    /// Half-step pressure of one material. Open pores and open void give way before the material does: there
-    /// the pressure is not extrapolated into compression, and open void carries no tension.
+    /// Half-step pressure of one material. Pores give way before the material does: where they are open the
+    /// pressure is not extrapolated. Beside open void a material carries no tension, and while the cell is
+    /// compressed only the void gives way: the material keeps its volume, so it must not do or take work either
+    /// (a wisp in a cell that keeps closing would otherwise be heated without bound).
     Pack
     half_pressure(const MaterialState &material, const Filling &fill, const Pack &expansion, Index first)
     {
       const Pack pressure = load(material.pressure, first);
       const Pack c = load(material.sound_speed, first), modulus = load(material.density, first) * c * c;
       Pack       full  = pressure - fill.modulus * expansion;
-      Pack       loose = pressure - modulus * max(expansion, Pack(0.));
+      Pack       loose = pressure - modulus * expansion;
       if (material.has_voids())
         {
           const auto porous = load(material.void_fraction, first) > 0.;
           full              = select(porous, pressure, full);
           loose             = select(porous, pressure, loose);
         }
-      return select(fill.open, max(loose, Pack(0.)), full);
+      return select(fill.open, select(expansion < 0., Pack(0.), max(loose, Pack(0.))), full);
     }
 
     /// Half-step deviator of one material.
@@ -76,13 +78,12 @@ namespace whipple::cell_kernels
 
     template <bool strength, int dim>
     MeanState
-    mean_state(const State<dim> &state, const VelocityGradient<Pack> &gradient, double dt, Index first,
-               StepWork<dim> &work)
+    mean_state(const State<dim> &state, const VelocityGradient<Pack> &gradient, const Filling &fill, double dt,
+               Index first, StepWork<dim> &work)
     {
-      const Pack    volume    = load(state.volume, first);
-      const Pack    expansion = 0.5 * dt * gradient.divergence();
-      const Filling fill      = filling(state, volume, first);
-      const auto    rate =
+      const Pack volume    = load(state.volume, first);
+      const Pack expansion = 0.5 * dt * gradient.divergence();
+      const auto rate =
           plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
       MeanState mean;
       for (std::size_t m = 0; m < state.material.size(); ++m)
@@ -169,10 +170,12 @@ namespace whipple::cell_kernels
           half.hourglass_shape = {hourglass::moment(x[0]), hourglass::moment(x[1])};
 
           const auto      gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
-          const MeanState mean     = mean_state<strength>(state, gradient, dt, first, work);
+          const Filling   fill     = filling(state, load(state.volume, first), first);
+          const MeanState mean     = mean_state<strength>(state, gradient, fill, dt, first, work);
           const Pack      mass = load(work.mass, first), inverse = 1. / half.volume;
-          half.viscosity = artificial_viscosity(parameters, x, v, gradient.divergence(), Pack(mass * inverse),
-                                                mean.sound_speed, first, work);
+          half.viscosity = select(fill.open, Pack(0.),
+                                  artificial_viscosity(parameters, x, v, gradient.divergence(), Pack(mass * inverse),
+                                                       mean.sound_speed, first, work));
 
           Pack area = half.volume;
           if constexpr (symmetry == Symmetry::axisymmetric)
