@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <whipple/hydro/closure.h>
 #include <whipple/hydro/time_step.h>
 #include <whipple/hydro/velocity_gradient.h>
 #include <whipple/hydro/viscosity.h>
@@ -50,6 +51,17 @@ namespace whipple
       return fastest;
     }
 
+    template <int dim>
+    Pack::mask_type
+    holds_open_void(const State<dim> &state, Index first)
+    {
+      const Pack volume = load(state.volume, first);
+      Pack       occupied(0.);
+      for (const MaterialState &material : state.material)
+        occupied += load(material.volume, first);
+      return volume - occupied > closure::closed_share * volume;
+    }
+
     template <Symmetry symmetry, int dim>
     TimeStepLimit
     smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
@@ -74,8 +86,9 @@ namespace whipple
               const auto along = viscosity::stretch(d, x, v);
               jump += max(-along.rate * along.length, Pack(0.));
             }
+          // a cell with open void has no viscosity (corner_forces.cc)
           const Pack damping =
-              select(divergence < 0. && jump > 0.,
+              select(divergence < 0. && jump > 0. && !holds_open_void(state, first),
                      Pack(2. * parameters.quadratic_viscosity * jump + parameters.linear_viscosity * c), Pack(0.));
           const Pack crossing  = parameters.courant * extent / (damping + sqrt(damping * damping + c2));
           const Pack straining = parameters.max_volume_change / abs(divergence);

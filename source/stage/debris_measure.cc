@@ -76,14 +76,13 @@ namespace whipple
       return result;
     const auto axial  = [](const Parcel &p) { return p.axial; };
     const auto radial = [](const Parcel &p) { return p.radius; };
-    const auto angle  = [origin](const Parcel &p) { return std::atan2(p.radius, p.axial - origin); };
 
     result.radius       = quantile(parcels, 0.99, radial);
     result.radius_95    = quantile(parcels, 0.95, radial);
-    result.cone_angle   = 2. * quantile(parcels, 0.95, angle) * 180. / std::numbers::pi;
     result.depth_95     = quantile(parcels, 0.95, axial) - origin;
     result.leading_edge = quantile(parcels, 0.999, axial);
     result.length       = result.leading_edge - quantile(parcels, 0.001, axial);
+    result.cone_angle   = 2. * std::atan2(result.radius_95, result.leading_edge - origin) * 180. / std::numbers::pi;
     for (const Parcel &p : parcels)
       {
         result.mass += p.mass;

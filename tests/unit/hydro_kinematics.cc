@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "../figure.h"
 #include "hydro_case.h"
 
 #include <whipple/hydro/hourglass.h>
@@ -68,10 +69,12 @@ namespace
     State<2>          state = make_state(mesh, gas());
     distort(mesh, state);
     set_velocity(mesh, state, [](double r, double z) { return Vector<2>{{0.3 * r, 0.2 - 0.7 * z + 0.4 * r}}; });
+    figure::Largest difference("v_r = a r: relative difference of radial and hoop rate", "round-off");
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
         const geometry::Quad x = corners(mesh, state.position, cell), v = corners(mesh, state.velocity, cell);
         const auto           gradient = gradient_of<Symmetry::axisymmetric>(x, v);
+        difference(gradient.hoop / gradient.l[0][0] - 1.);
         EXPECT_NEAR(gradient.hoop, 0.3, 1e-13);
         EXPECT_NEAR(gradient.l[0][0], 0.3, 1e-13);
         EXPECT_NEAR(gradient.l[0][1], 0., 1e-13);

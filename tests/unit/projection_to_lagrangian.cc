@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "../figure.h"
 #include "projection_fixture.h"
 
 #include <whipple/error.h>
@@ -90,6 +91,7 @@ TEST(DebrisSelection, EveryCriterionDropsWhatItShould)
 
 TEST(ToLagrangian, BondedAndFragmentsKeepMassMomentumAndTotalEnergy)
 {
+  figure::Largest change("projection to Lagrangian: mass, momentum, energy, relative change", "<= 1e-12");
   for (const Cohesion cohesion : {Cohesion::bonded, Cohesion::fragments})
     {
       Perforation           p(0.3);
@@ -99,6 +101,9 @@ TEST(ToLagrangian, BondedAndFragmentsKeepMassMomentumAndTotalEnergy)
       const State<2>        debris = to_lagrangian<2>(p.mesh, p.state, elements, {}, KineticLoss::heat, names, report);
       const auto            kept   = selection.amount_of(Verdict::kept);
       const auto            end    = node_totals(debris);
+      change(end.mass / kept.mass - 1.);
+      change(end.momentum[1] / kept.momentum[1] - 1.);
+      change(total_energy(end) / total_energy(kept) - 1.);
       EXPECT_NEAR(end.mass, kept.mass, 1e-14 * kept.mass);
       EXPECT_NEAR(end.momentum[0], kept.momentum[0], 1e-13 * kept.momentum[1]);
       EXPECT_NEAR(end.momentum[1], kept.momentum[1], 1e-13 * kept.momentum[1]);

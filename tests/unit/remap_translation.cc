@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "../connected_pieces.h"
 #include "remap_case.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <queue>
 
 namespace
 {
@@ -46,34 +46,6 @@ namespace
             state.velocity[d][mesh.cell_node[4 * c + k]] = v[d];
       }
     lump(mesh, state);
-  }
-
-  /// Number of pieces in which cells that hold more than a given fraction hang together across faces.
-  int
-  pieces(const Mesh &mesh, const State<2> &state, const double fraction)
-  {
-    std::vector<bool> seen(mesh.n_cells, false);
-    const auto        holds = [&](const Index c) {
-      return c != whipple::none && state.material[0].volume[c] > fraction * state.volume[c];
-    };
-    int count = 0;
-    for (Index start = 0; start < mesh.n_cells; ++start)
-      if (holds(start) && !seen[start])
-        {
-          ++count;
-          std::queue<Index> queue({start});
-          seen[start] = true;
-          for (; !queue.empty(); queue.pop())
-            for (int side = 0; side < 4; ++side)
-              for (int s = 0; s < 2; ++s)
-                if (const Index f = mesh.cell_face[side][2 * queue.front() + s]; f != whipple::none)
-                  if (const Index c = mesh.faces[side / 2].cell[side & 1][f]; holds(c) && !seen[c])
-                    {
-                      seen[c] = true;
-                      queue.push(c);
-                    }
-        }
-    return count;
   }
 
   /// Volume of the difference to the body where it should be, as a share of its volume.
@@ -188,7 +160,7 @@ TEST(RemapTranslation, SphereOverTenDiametersAcrossLevels)
   EXPECT_LT(std::abs(after.internal - before.internal), 1e-8 * before.kinetic);
   EXPECT_EQ(report.kinetic_lost, 0.);
   EXPECT_LT(report.flotsam_mass, 1e-6 * before.mass);
-  EXPECT_EQ(pieces(mesh, state, 0.), 1);
+  EXPECT_EQ(whipple::connected_pieces(mesh, state, 0.), 1);
   const Extremes e = deviation(state, v);
   EXPECT_EQ(e.velocity_error, 0.);
   EXPECT_EQ(e.value_error, 0.);
@@ -222,7 +194,7 @@ TEST(RemapTranslation, DiscObliquelyAcrossLevels)
   for (int d = 0; d < 2; ++d)
     EXPECT_NEAR(after.momentum[d], before.momentum[d], 1e-12 * before.momentum[d]);
   EXPECT_EQ(report.kinetic_lost, 0.);
-  EXPECT_EQ(pieces(mesh, state, 0.), 1);
+  EXPECT_EQ(whipple::connected_pieces(mesh, state, 0.), 1);
   const Extremes e = deviation(state, v);
   EXPECT_EQ(e.velocity_error, 0.);
   EXPECT_EQ(e.value_error, 0.);
@@ -250,7 +222,7 @@ TEST(RemapTranslation, ThinPlateStaysAPlate)
   EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
   EXPECT_NEAR(after.momentum[1], before.momentum[1], 1e-12 * before.momentum[1]);
   EXPECT_LT(std::abs(after.internal - before.internal), 1e-12 * before.kinetic);
-  EXPECT_EQ(pieces(mesh, state, 0.), 1);
+  EXPECT_EQ(whipple::connected_pieces(mesh, state, 0.), 1);
   const Extremes e = deviation(state, v);
   EXPECT_EQ(e.velocity_error, 0.);
   EXPECT_EQ(e.value_error, 0.);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whole scenes through the program's own chain of stages, against exact solutions for gases.
+#include "../figure.h"
 #include "exact_riemann.h"
 #include "exact_sedov.h"
 #include "scene_run.h"
@@ -69,7 +70,7 @@ namespace
         error += std::abs(s.density - reference) * s.volume;
         norm += reference * s.volume;
       }
-    RecordProperty("relative_l1_density", std::to_string(error / norm));
+    figure::record("Sedov: relative L1 of the density", error / norm, "< PENNANT, " + std::to_string(bound));
     EXPECT_LT(error / norm, bound); // PENNANT's
     const auto &ledger = simulation->summary().ledger;
     ASSERT_TRUE(ledger.energy.closure_relative.has_value());

@@ -23,7 +23,8 @@ namespace whipple
     double radius                = 0; ///< cm, holds 99 % of the mass
     double radius_95             = 0; ///< cm, holds 95 % of the mass
     double depth_95              = 0; ///< cm behind `origin`, holds 95 % of the mass
-    double cone_angle            = 0; ///< degrees, full angle at the point of impact that holds 95 % of the mass
+    /// degrees, full angle under which `radius_95` is seen from the point of impact at the distance of the leading edge
+    double cone_angle = 0;
   };
 
   /// Measure the owned cells of all ranks for which `belongs` holds; the cone's tip is on the axis at `origin` (cm
