@@ -59,7 +59,11 @@ namespace whipple
     for (int d = 0; d < dim; ++d)
       {
         const double v = state.velocity[d][node], low = v - state.velocity[d][p], high = state.velocity[d][q] - v;
-        const double slope = limited_slope(low, high, 0.5 * (low + high));
+        // one profile a node: a parabola's part where all leaves through one end
+        const double curved = down == 0 ? curvature_slope(low, high, 1. - up) :
+                              up == 0   ? curvature_slope(high, low, 1. - down) :
+                                          0.;
+        const double slope = limited_slope(low, high, 0.5 * (low + high) + curved);
         up_[d][node]       = v + 0.5 * slope * (1. - up);
         down_[d][node]     = v - 0.5 * slope * (1. - down);
         square += 0.25 * slope * slope;

@@ -35,6 +35,8 @@ namespace whipple::sections
     section.declare("Distended threshold", "0.1",
                     "solid volume fraction of a cell below which it gives up one level of refinement");
     section.declare("Distended ratio", "0.25", "and one level more for each factor of this below the threshold");
+    section.declare("Quiet levels", "2", "levels that solid material gives up where nothing has reached it yet");
+    section.declare("Quiet velocity", "1 m/s", "velocity, and stress over impedance, below which nothing has");
   }
 
   template <int dim>
@@ -72,6 +74,8 @@ namespace whipple::sections
     scene.mesh.regrid_steps   = section.integer("Regrid interval", 1, 1000);
     scene.mesh.solid_fraction = section.between("Distended threshold", units::number, 0, 1);
     scene.mesh.solid_ratio    = section.between("Distended ratio", units::number, 1e-3, 0.9);
+    scene.mesh.quiet_levels   = section.integer("Quiet levels", 0, max_levels);
+    scene.mesh.quiet_velocity = section.positive("Quiet velocity", units::velocity);
   }
 
   template void

@@ -61,7 +61,8 @@ namespace whipple
         MaterialState m;
         for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy, &m.pressure, &m.sound_speed})
           array->assign(n_cells, 0.);
-        if (model.void_law)
+        m.carries_voids = model.void_law != nullptr;
+        if (m.carries_voids)
           m.void_fraction.assign(n_cells, 0.);
         for (const FieldDescription &description : fields)
           m.fields.push_back({description, std::vector<double>(n_cells, 0.)});

@@ -15,25 +15,6 @@ namespace whipple
 {
   namespace
   {
-    template <int dim>
-    ConservedTotals<dim>
-    sum_over_ranks(ConservedTotals<dim> totals, MPI_Comm communicator)
-    {
-      std::array<double, dim + 3> values;
-      values[0] = totals.mass;
-      values[1] = totals.internal_energy;
-      values[2] = totals.kinetic_energy;
-      for (int d = 0; d < dim; ++d)
-        values[3 + d] = totals.momentum[d];
-      MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, communicator);
-      totals.mass            = values[0];
-      totals.internal_energy = values[1];
-      totals.kinetic_energy  = values[2];
-      for (int d = 0; d < dim; ++d)
-        totals.momentum[d] = values[3 + d];
-      return totals;
-    }
-
     /// Kinetic energy a projection lost: heat stays in the problem, what is dropped leaves it.
     template <int dim>
     void
@@ -180,7 +161,8 @@ namespace whipple
     const DebrisSelection<dim> selection = select_debris(cells, domain.state, criteria);
     for (const Verdict verdict : {Verdict::void_cutoff, Verdict::not_debris})
       {
-        const auto amount = sum_over_ranks(selection.amount_of(verdict), communicator);
+        const auto amount = cell_sum(
+            cells, domain.state, [&](Index c) { return selection.verdict[c] == verdict; }, communicator);
         if (amount.mass > 0)
           ledger.drop(std::string(name(verdict)), amount);
       }
@@ -201,7 +183,49 @@ namespace whipple
     domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
     domain.view->halo.exchange(
         {}, std::vector<std::vector<double> *>{&domain.state.velocity[0], &domain.state.velocity[1]});
-    book_loss(stage.lost_kinetic_energy, whipple::sum_over_ranks(report.kinetic_loss, communicator), "projection",
+    book_loss(stage.lost_kinetic_energy, sum_over_ranks(report.kinetic_loss, communicator), "projection", ledger);
+    if (select)
+      spread(stage, domain, ledger);
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::spread(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    const auto              layout = CellPacketLayout<dim>::of(domain.state);
+    std::vector<CellPacket> packets(domain.forest.leaves().size());
+    {
+      const FlatMesh<dim>        &mesh    = domain.view->mesh;
+      const CornerVelocities<dim> corners = corner_velocities(mesh, domain.state);
+      InterfaceNormals<dim>       normals(layout.n_materials()); // elements have no interfaces
+      for (auto &material : normals)
+        for (auto &component : material)
+          component.assign(mesh.n_owned, 0.);
+      for (Index c = 0; c < mesh.n_owned; ++c)
+        packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
+    }
+    // whatever the number of empty leaves, it is the elements that count
+    domain.forest.repartition(packets, [](const CellPacket &packet) { return packet.empty() ? 1u : 1000u; });
+
+    std::vector<std::uint8_t> active(packets.size());
+    for (std::size_t i = 0; i < packets.size(); ++i)
+      active[i] = !packets[i].empty();
+    const double time = domain.state.time;
+    domain.view =
+        domain.forest.flatten(active, stage.cohesion == Cohesion::bonded ? halo_width<dim> : 0, stage.cohesion);
+    const FlatMesh<dim> &now = domain.view->mesh;
+    domain.state             = layout_.allocate(now);
+    domain.state.time        = time;
+    initialise_geometry(now, domain.state);
+
+    CornerVelocities<dim> corners(now.n_cells);
+    for (Index c = 0; c < now.n_owned; ++c)
+      unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
+    exchange_cells(layout_, domain.view->halo, domain.state);
+    exchange_corners(domain.view->halo, corners);
+    const GatherReport<dim> report =
+        gather_velocities(now, scene_.boundaries, corners, stage.lost_kinetic_energy, domain.state);
+    book_loss(stage.lost_kinetic_energy, sum_over_ranks(report.kinetic_loss, domain.communicator()), "projection",
               ledger);
   }
 

@@ -53,6 +53,29 @@ namespace whipple
   }
 
   template <int dim>
+  bool
+  Regridding<dim>::is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell) const
+  {
+    const double slow = scene_.mesh.quiet_velocity;
+    for (int k = 0; k < FlatMesh<dim>::corners; ++k)
+      for (int d = 0; d < dim; ++d)
+        if (std::abs(state.velocity[d][mesh.cell_node[cell * FlatMesh<dim>::corners + k]]) > slow)
+          return false;
+    for (const MaterialState &m : state.material)
+      {
+        if (m.mass[cell] == 0.)
+          continue;
+        const double weak = m.density[cell] * m.sound_speed[cell] * slow;
+        bool         calm = std::abs(m.pressure[cell]) <= weak && !(m.has_voids() && m.void_fraction[cell] > 0);
+        for (const int s : {state.index.stress_00, state.index.stress_11, state.index.stress_01})
+          calm = calm && (s < 0 || std::abs(m.fields[s].value[cell]) <= weak);
+        if (!calm)
+          return false;
+      }
+    return true;
+  }
+
+  template <int dim>
   std::uint8_t
   Regridding<dim>::target(const RefinementMap<dim> &map, CellKey leaf) const
   {
@@ -110,7 +133,10 @@ namespace whipple
           LatticePoint<dim> lower = key_point<dim>(mesh.key[c]), upper = lower;
           for (int d = 0; d < dim; ++d)
             upper[d] += scene_.lattice.extent(mesh.level[c]);
-          map.request(wanted_level(solid), lower, upper, scene_.mesh.buffer);
+          int level = wanted_level(solid);
+          if (is_quiet(mesh, domain.state, c))
+            level = std::max(0, level - scene_.mesh.quiet_levels);
+          map.request(level, lower, upper, scene_.mesh.buffer);
         }
     }
     request_bodies(scene_, entering, map);

@@ -105,6 +105,24 @@ namespace whipple
   }
 
   template <int dim>
+  std::optional<double>
+  Simulation<dim>::projectile_velocity() const
+  {
+    if (!layout_.bodies_separable)
+      return std::nullopt;
+    const auto bodies =
+        body_totals(domain_.view->mesh, domain_.state, layout_.body_tag, layout_.body_material, domain_.communicator());
+    double mass = 0, momentum = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (scene_.bodies[b].velocity[Ledger<dim>::axial] != 0.)
+        {
+          mass += bodies[b].mass;
+          momentum += bodies[b].momentum[Ledger<dim>::axial];
+        }
+    return mass > 0 ? std::optional<double>(momentum / mass) : std::nullopt;
+  }
+
+  template <int dim>
   void
   Simulation<dim>::measure_cloud(const Stage &stage, const std::string &prefix)
   {
@@ -115,6 +133,8 @@ namespace whipple
     results[prefix + "mass_g"]                          = m.mass;
     results[prefix + "axial_momentum_g_cm_per_us"]      = m.axial_momentum;
     results[prefix + "mass_velocity_cm_per_us"]         = m.mass_velocity;
+    if (const auto velocity = projectile_velocity())
+      results[prefix + "inline_mass_velocity_cm_per_us"] = *velocity;
     results[prefix + "leading_edge_cm"]                 = m.leading_edge;
     results[prefix + "leading_edge_velocity_cm_per_us"] = m.leading_edge_velocity;
     results[prefix + "length_cm"]                       = m.length;
@@ -137,12 +157,13 @@ namespace whipple
       // what has been dropped with the plate is no longer there to measure
       entered_.assign(entered_.size(), false);
 
-    StageLoop<dim> loop(scene_, layout_, regridding_, stage, static_cast<int>(number), reporter_);
     ledger_.check(totals(domain_.view->mesh, domain_.state, domain_.communicator()),
                   "the projection into stage '" + stage.name + "'", projection_round_off);
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, "handover_");
-    summary_.stages.push_back(loop.run(domain_, ledger_, summary_.counts));
+    summary::Stage &record = summary_.stages.emplace_back();
+    StageLoop<dim>  loop(scene_, layout_, regridding_, stage, static_cast<int>(number), reporter_, record);
+    loop.run(domain_, ledger_, summary_.counts);
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, "");
     measure_plates(stage);
@@ -188,13 +209,16 @@ namespace whipple
   void
   Simulation<dim>::run()
   {
+    std::size_t number = 0;
     try
       {
-        for (std::size_t number = 0; number < scene_.stages.size(); ++number)
+        for (; number < scene_.stages.size(); ++number)
           run_stage(number);
       }
     catch (const StateError &error)
       {
+        if (domain_.view)
+          reporter_.failed(scene_.stages[number], domain_, error.what());
         summary_.status = "stopped";
         summary_.reason = error.what();
         write_summary();

@@ -28,13 +28,15 @@ namespace whipple
 
   template <int dim>
   StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
-                            const Stage &stage, int number, Reporter<dim> &reporter)
+                            const Stage &stage, int number, Reporter<dim> &reporter, summary::Stage &record)
     : scene_(scene)
     , layout_(layout)
     , regridding_(regridding)
     , stage_(stage)
     , number_(number)
     , reporter_(reporter)
+    , record_(record)
+    , wall_start_(MPI_Wtime())
   {
   }
 
@@ -169,8 +171,8 @@ namespace whipple
     record_.steps = snapshot_.step;
     if (retries_ == most_retries)
       {
-        reporter_.failed(stage_, domain, error.what());
-        throw error;
+        close_record(domain);
+        throw; // the error that go_back was called for, with its type
       }
     ++retries_;
     ++counts.retries;
@@ -192,19 +194,32 @@ namespace whipple
   }
 
   template <int dim>
-  summary::Stage
+  void
+  StageLoop<dim>::close_record(const Domain<dim> &domain)
+  {
+    record_.end_us = domain.state.time;
+    record_.wall_s = MPI_Wtime() - wall_start_;
+    int ranks      = 1;
+    MPI_Comm_size(domain.communicator(), &ranks);
+    if (record_.wall_s > 0)
+      record_.cell_steps_per_s_per_rank = record_.cell_steps / record_.wall_s / ranks;
+  }
+
+  template <int dim>
+  void
   StageLoop<dim>::run(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
-    const double wall_start = MPI_Wtime();
-    const bool   eulerian   = stage_.mode == StageMode::eulerian;
-    record_                 = summary::Stage{};
-    record_.name            = stage_.name;
-    record_.mode            = eulerian ? "eulerian" : "lagrangian";
-    record_.start_us        = domain.state.time;
-    end_time_               = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? domain.state.time : 0.);
-    record_.end_us          = end_time_;
+    const bool eulerian = stage_.mode == StageMode::eulerian;
+    record_             = summary::Stage{};
+    record_.name        = stage_.name;
+    record_.mode        = eulerian ? "eulerian" : "lagrangian";
+    record_.start_us    = domain.state.time;
+    end_time_           = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? domain.state.time : 0.);
+    record_.end_us      = end_time_;
     new_mesh(domain);
-    if (!eulerian)
+    if (eulerian)
+      record_.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
+    else
       record_.elements = cells_;
     reporter_.stage_begins(stage_, number_, domain);
     take_snapshot(domain, ledger);
@@ -229,16 +244,8 @@ namespace whipple
           take_snapshot(domain, ledger);
       }
 
-    record_.end_us = domain.state.time;
-    record_.wall_s = MPI_Wtime() - wall_start;
-    int ranks      = 1;
-    MPI_Comm_size(domain.communicator(), &ranks);
-    if (record_.wall_s > 0)
-      record_.cell_steps_per_s_per_rank = record_.cell_steps / record_.wall_s / ranks;
-    if (eulerian)
-      record_.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
+    close_record(domain);
     reporter_.stage_ends(stage_, domain, ledger);
-    return record_;
   }
 
   template class StageLoop<2>;

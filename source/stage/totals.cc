@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/projection/cell_totals.h>
 #include <whipple/stage/exact_sum.h>
 #include <whipple/stage/totals.h>
 
@@ -72,6 +73,27 @@ namespace whipple
   }
 
   template <int dim>
+  ConservedTotals<dim>
+  cell_sum(const FlatMesh<dim> &mesh, const State<dim> &state, const std::function<bool(Index cell)> &belongs,
+           MPI_Comm communicator)
+  {
+    const CornerVelocities<dim> velocities = corner_velocities(mesh, state);
+    Sums<dim>                   sums;
+    for (Index c = 0; c < mesh.n_owned; ++c)
+      if (belongs(c))
+        {
+          const ConservedTotals<dim> cell = cell_totals<dim>(state, velocities, c);
+          sums.sum[0].add(cell.mass);
+          sums.sum[1].add(cell.internal_energy);
+          sums.sum[2].add(cell.kinetic_energy);
+          for (int d = 0; d < dim; ++d)
+            sums.sum[3 + d].add(cell.momentum[d]);
+        }
+    ExactSum::reduce(sums.sum, communicator);
+    return sums.amounts();
+  }
+
+  template <int dim>
   std::vector<ConservedTotals<dim>>
   body_totals(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<int> &tag,
               const std::vector<Index> &material, MPI_Comm communicator)
@@ -117,6 +139,8 @@ namespace whipple
 
   template ConservedTotals<2>
   totals(const FlatMesh<2> &, const State<2> &, MPI_Comm);
+  template ConservedTotals<2>
+  cell_sum(const FlatMesh<2> &, const State<2> &, const std::function<bool(Index)> &, MPI_Comm);
   template std::vector<ConservedTotals<2>>
   body_totals(const FlatMesh<2> &, const State<2> &, const std::vector<int> &, const std::vector<Index> &, MPI_Comm);
 } // namespace whipple

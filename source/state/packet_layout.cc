@@ -126,7 +126,8 @@ namespace whipple
         for (auto *array :
              {&target.volume, &target.mass, &target.density, &target.energy, &target.pressure, &target.sound_speed})
           array->assign(cells, 0.);
-        if (source.has_voids())
+        target.carries_voids = source.has_voids();
+        if (target.carries_voids)
           target.void_fraction.assign(cells, 0.);
         for (const Field &field : source.fields)
           target.fields.push_back({field.description, std::vector<double>(cells, 0.)});

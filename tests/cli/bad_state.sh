@@ -13,6 +13,7 @@ for mode in eulerian lagrangian; do
     [ "$status" -eq 3 ] || { echo "status $status, not 3 ($mode, $ranks ranks)"; cat err.txt; exit 1; }
     [ "$(wc -l <err.txt)" -eq 1 ] || { echo 'not one line:'; cat err.txt; exit 1; }
     grep -q '"status": "stopped"' "$output/summary.json" || { cat "$output/summary.json"; exit 1; }
+    grep -q '"name": "tube"' "$output/summary.json" || { echo 'the stage that stopped is not in the summary'; exit 1; }
     [ -s "$output/last_good_state/README.txt" ] || { echo 'no last good state'; exit 1; }
     [ "$(ls "$output"/last_good_state/*.h5 | wc -l)" -eq $ranks ] || { ls "$output/last_good_state"; exit 1; }
   done

@@ -52,37 +52,41 @@ namespace
 
   /// What holds for any body in flight.
   void
-  expect_undisturbed(const Flight &flight, double allowed_shape_error)
+  expect_undisturbed(const std::string &body, const Flight &flight, double allowed_shape_error)
   {
     const ConservedTotals<2> before = flight.simulation->ledger().introduced();
     const ConservedTotals<2> after  = totals(flight.mesh(), flight.state(), MPI_COMM_SELF);
-    expect_at_most("mass, relative change", after.mass / before.mass - 1., 1e-13);
-    expect_at_most("axial momentum, relative change", after.momentum[1] / before.momentum[1] - 1., 1e-12);
-    expect_at_most("internal energy gained / kinetic energy",
+    expect_at_most(body + " in flight: mass, relative change", after.mass / before.mass - 1., 1e-13);
+    expect_at_most(body + " in flight: axial momentum, relative change", after.momentum[1] / before.momentum[1] - 1.,
+                   1e-12);
+    expect_at_most(body + " in flight: internal energy gained / kinetic energy",
                    (after.internal_energy - before.internal_energy) / before.kinetic_energy, 1e-8);
     EXPECT_EQ(flight.simulation->ledger().left().mass, 0.);
     EXPECT_EQ(connected_pieces(flight.mesh(), flight.state(), 1e-6), 1);
-    expect_at_most("connected pieces", connected_pieces(flight.mesh(), flight.state(), 0.), 1);
+    expect_at_most(body + " in flight: connected pieces", connected_pieces(flight.mesh(), flight.state(), 0.), 1);
     const auto [difference, volume] = flight.shape_difference();
-    expect_at_most("shape error, sum of abs(V - V exact) / V", difference / volume, allowed_shape_error);
+    expect_at_most(body + " in flight: shape error, sum of abs(V - V exact) / V", difference / volume,
+                   allowed_shape_error);
   }
 
   TEST(SceneTranslation, SphereOverTenDiameters)
   {
     const Flight flight{verification::run("verification/sphere_translation.prm", {}, "sphere_translation"),
                         Sphere<2>{{{0., 3.2}}, 0.32}};
-    expect_undisturbed(flight, 0.02);
+    expect_undisturbed("sphere", flight, 0.02);
   }
 
   TEST(SceneTranslation, ThinPlateIsNeitherSpalledNorStrainedNorHeated)
   {
     const Flight flight{verification::run("verification/plate_translation.prm", {}, "plate_translation"),
                         Plate<2>{3.183, 0.04, 0.32}};
-    expect_undisturbed(flight, 0.02);
+    expect_undisturbed("plate", flight, 0.02);
     const MaterialState &m   = flight.state().material[0];
     const auto           top = [](const std::vector<double> &v) { return *std::max_element(v.begin(), v.end()); };
-    expect_at_most("void fraction, largest", top(m.void_fraction), 0.);
-    expect_at_most("plastic strain, largest", top(m.fields[flight.state().index.plastic_strain].value), 0.);
-    expect_at_most("heating, largest, K", temperature_rise(find_material("aluminium 2024-T4"), top(m.energy)), 1.);
+    expect_at_most("plate in flight: void fraction, largest", top(m.void_fraction), 0.);
+    expect_at_most("plate in flight: plastic strain, largest", top(m.fields[flight.state().index.plastic_strain].value),
+                   0.);
+    expect_at_most("plate in flight: heating, largest, K",
+                   temperature_rise(find_material("aluminium 2024-T4"), top(m.energy)), 1.);
   }
 } // namespace

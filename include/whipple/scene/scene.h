@@ -108,6 +108,8 @@ namespace whipple
     int        regrid_steps   = 10; ///< steps between regrids
     double     solid_fraction = 0;  ///< solid volume / cell volume below which a cell gives up one level ...
     double     solid_ratio    = 0;  ///< ... and one more for each factor of this (< 1) below it
+    int        quiet_levels   = 0;  ///< levels that undisturbed material gives up
+    double     quiet_velocity = 0;  ///< cm/us; slower than this, and with less stress than rho c times it: undisturbed
   };
 
   /// Coefficients of the scheme; doc/theory says what they multiply.

@@ -31,6 +31,11 @@ namespace whipple
     void
     take_up(const Stage &stage, bool select, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
+    /// Spread elements that are where their cells were evenly over the ranks: the partition is that of the cells, most
+    /// of which have gone. Bits do not change.
+    void
+    spread(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
     void
     paint(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
 

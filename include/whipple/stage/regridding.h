@@ -20,15 +20,20 @@ namespace whipple
   public:
     Regridding(const Scene<dim> &scene, const FieldLayout &layout);
 
-    /// Level a cell shall have from its solid fraction s = sum V_m (1 - phi_m) / sum V_m: the finest for dense
-    /// material whatever part of the cell it fills, one level less below MeshControl::solid_fraction, one more for each
-    /// factor solid_ratio.
+    /// Level that material of a solid fraction s = sum V_m (1 - phi_m) / sum V_m needs: the finest if it is dense,
+    /// whatever part of the cell it fills, one level less below MeshControl::solid_fraction, one more for each factor
+    /// solid_ratio.
     int
     wanted_level(double solid_fraction) const;
 
     /// Solid fraction of the material in a cell, 1 without voids, 0 without material.
     static double
     solid_fraction(const State<dim> &state, Index cell);
+
+    /// Whether nothing has reached a cell yet: solid without pores, at rest and free of stress (MeshControl). Its state
+    /// is uniform and its interface plane, so coarse cells hold it as well as fine ones.
+    bool
+    is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell) const;
 
     /// Refine the forest to a synchronised map, without contents, and flatten what the map touches.
     void

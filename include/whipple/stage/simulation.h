@@ -5,6 +5,8 @@
 #include <whipple/stage/handover.h>
 #include <whipple/stage/reporter.h>
 
+#include <optional>
+
 namespace whipple
 {
   /// A run: the chain of a scene's stages from first contact to the wall, with its output directory.
@@ -43,6 +45,9 @@ namespace whipple
     run_stage(std::size_t number);
     void
     measure_plates(const Stage &stage);
+    /// Mean axial velocity of the material of the bodies that came flying, cm/us; none if it cannot be told apart.
+    std::optional<double>
+    projectile_velocity() const;
     void
     measure_cloud(const Stage &stage, const std::string &prefix);
     void

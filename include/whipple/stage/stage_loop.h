@@ -15,13 +15,13 @@ namespace whipple
   class StageLoop
   {
   public:
+    /// @param record what the summary says of the stage, up to date also when the stage stops early
     StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding, const Stage &stage,
-              int number, Reporter<dim> &reporter);
+              int number, Reporter<dim> &reporter, summary::Stage &record);
 
     /// @param counts retries and releases are added to it
-    /// @returns what the summary says of the stage
-    /// @throws StateError on all ranks, after the last good state has been restored to `domain` and written
-    summary::Stage
+    /// @throws StateError on all ranks, after the last good state has been restored to `domain`
+    void
     run(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
 
   private:
@@ -46,6 +46,8 @@ namespace whipple
     double
     time_left(const Domain<dim> &domain);
     void
+    close_record(const Domain<dim> &domain);
+    void
     step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left);
     void
     take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger);
@@ -58,12 +60,13 @@ namespace whipple
     const Stage           &stage_;
     int                    number_;
     Reporter<dim>         &reporter_;
+    summary::Stage        &record_;
 
     std::unique_ptr<Cycle<dim>> cycle_;
     std::vector<Index>          guard_;
     Snapshot                    snapshot_;
-    summary::Stage              record_;
     AgreedTimeStep              limit_{};
+    double                      wall_start_;
     double                      end_time_     = 0; ///< us; of stages that end at a time
     double                      start_point_  = 0; ///< cm; foremost point at the start
     double                      last_dt_      = 0; ///< us; 0 before the first step

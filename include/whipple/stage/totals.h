@@ -7,6 +7,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <vector>
 
 namespace whipple
@@ -16,6 +17,13 @@ namespace whipple
   template <int dim>
   ConservedTotals<dim>
   totals(const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator);
+
+  /// What the owned cells of all ranks for which `belongs` holds contain, by corner masses. Same bits on any number of
+  /// ranks.
+  template <int dim>
+  ConservedTotals<dim>
+  cell_sum(const FlatMesh<dim> &mesh, const State<dim> &state, const std::function<bool(Index cell)> &belongs,
+           MPI_Comm communicator);
 
   /// The same split by body: each body's part of a cell's mass, internal energy and corner momenta; its
   /// kinetic energy is that of the corner masses at the nodes' velocities.

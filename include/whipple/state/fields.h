@@ -37,19 +37,20 @@ namespace whipple
   /// holds. Where volume is 0 the other values are 0.
   struct MaterialState
   {
-    std::vector<double> volume;        ///< cm^3, pores included, open void not
-    std::vector<double> mass;          ///< g
-    std::vector<double> density;       ///< bulk density rho = mass / volume, g/cm^3
-    std::vector<double> energy;        ///< specific internal energy e, Mbar cm^3/g
-    std::vector<double> void_fraction; ///< phi; EMPTY vector when the material has no void law (phi = 0)
-    std::vector<double> pressure;      ///< bulk P = (1 - phi) P_s, Mbar
-    std::vector<double> sound_speed;   ///< frozen (phi fixed) bulk sound speed, cm/us
-    std::vector<Field>  fields;        ///< what effects registered; the same list in every material
+    std::vector<double> volume;                ///< cm^3, pores included, open void not
+    std::vector<double> mass;                  ///< g
+    std::vector<double> density;               ///< bulk density rho = mass / volume, g/cm^3
+    std::vector<double> energy;                ///< specific internal energy e, Mbar cm^3/g
+    std::vector<double> void_fraction;         ///< phi; EMPTY vector when the material has no void law (phi = 0)
+    std::vector<double> pressure;              ///< bulk P = (1 - phi) P_s, Mbar
+    std::vector<double> sound_speed;           ///< frozen (phi fixed) bulk sound speed, cm/us
+    std::vector<Field>  fields;                ///< what effects registered; the same list in every material
+    bool                carries_voids = false; ///< has a void law: a rank without cells cannot tell by the vector
 
     bool
     has_voids() const
     {
-      return !void_fraction.empty();
+      return carries_voids || !void_fraction.empty();
     }
   };
 
