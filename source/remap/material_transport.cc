@@ -98,9 +98,9 @@ namespace whipple
   {
     for (const ActiveFace &a : active_)
       {
-        const double q      = value[a.donor];
-        const double up     = q - 0.5 * (value[a.upstream[0]] + value[a.upstream[1]]);
-        const double down   = 0.5 * (value[a.downstream[0]] + value[a.downstream[1]]) - q;
+        const double q       = value[a.donor];
+        const double up      = q - 0.5 * (value[a.upstream[0]] + value[a.upstream[1]]);
+        const double down    = 0.5 * (value[a.downstream[0]] + value[a.downstream[1]]) - q;
         const double central = a.weight_up * up + a.weight_down * down;
         const double curved  = a.weight_up == a.weight_down ? curvature_slope(up, down, a.*kept) : 0.;
         face_value_[a.face]  = q + 0.5 * a.*kept * limited_slope(up, down, central + curved);

@@ -60,12 +60,12 @@ namespace whipple
       {
         const double v = state.velocity[d][node], low = v - state.velocity[d][p], high = state.velocity[d][q] - v;
         // one profile a node: a parabola's part where all leaves through one end
-        const double curved = down == 0 ? curvature_slope(low, high, 1. - up) :
-                              up == 0   ? curvature_slope(high, low, 1. - down) :
-                                          0.;
-        const double slope = limited_slope(low, high, 0.5 * (low + high) + curved);
-        up_[d][node]       = v + 0.5 * slope * (1. - up);
-        down_[d][node]     = v - 0.5 * slope * (1. - down);
+        const double curved = down == 0 ? curvature_slope(low, high, 1. - up)
+                              : up == 0 ? curvature_slope(high, low, 1. - down)
+                                        : 0.;
+        const double slope  = limited_slope(low, high, 0.5 * (low + high) + curved);
+        up_[d][node]        = v + 0.5 * slope * (1. - up);
+        down_[d][node]      = v - 0.5 * slope * (1. - down);
         square += 0.25 * slope * slope;
       }
     // kinetic energy of the slope in what leaves and what stays, which the node's mean velocity does not have

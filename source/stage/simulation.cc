@@ -129,10 +129,10 @@ namespace whipple
     const double        origin = stage.debris.behind ? extent(scene_.bodies[*stage.debris.behind].shape).upper[1] : 0.;
     const DebrisMeasure m      = measure_debris<dim>(
         domain_.view->mesh, domain_.state, [](Index) { return true; }, origin, domain_.communicator());
-    auto &results                                       = summary_.results[stage.name];
-    results[prefix + "mass_g"]                          = m.mass;
-    results[prefix + "axial_momentum_g_cm_per_us"]      = m.axial_momentum;
-    results[prefix + "mass_velocity_cm_per_us"]         = m.mass_velocity;
+    auto &results                                  = summary_.results[stage.name];
+    results[prefix + "mass_g"]                     = m.mass;
+    results[prefix + "axial_momentum_g_cm_per_us"] = m.axial_momentum;
+    results[prefix + "mass_velocity_cm_per_us"]    = m.mass_velocity;
     if (const auto velocity = projectile_velocity())
       results[prefix + "inline_mass_velocity_cm_per_us"] = *velocity;
     results[prefix + "leading_edge_cm"]                 = m.leading_edge;

@@ -21,9 +21,6 @@ namespace whipple
     constexpr int    snapshot_steps = 10;
     constexpr int    most_retries   = 3;
     constexpr double retry_factor   = 0.5;
-
-    /// First time step as a part of the stable one: bodies in contact start with a discontinuity.
-    constexpr double first_step = 0.1;
   } // namespace
 
   template <int dim>
@@ -122,7 +119,9 @@ namespace whipple
           limit_.reason = reason;
         }
     };
-    lower(last_dt_ > 0 ? scene_.numerics.growth_limit * last_dt_ : first_step * limit_.dt, "growth");
+    // the first step is a full one: a short one delays the waves from a discontinuity (doc/theory/lagrange_step.md)
+    if (last_dt_ > 0)
+      lower(scene_.numerics.growth_limit * last_dt_, "growth");
     lower(stage_.max_time_step, "scene");
     last_dt_ = dt;
     // two equal steps rather than a full one and a splinter
@@ -166,9 +165,10 @@ namespace whipple
   void
   StageLoop<dim>::go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error)
   {
-    domain.state  = snapshot_.state;
-    ledger        = snapshot_.ledger;
-    record_.steps = snapshot_.step;
+    domain.state      = snapshot_.state;
+    ledger            = snapshot_.ledger;
+    record_.steps     = snapshot_.step;
+    record_.dt_limits = snapshot_.dt_limits;
     if (retries_ == most_retries)
       {
         close_record(domain);
@@ -190,7 +190,7 @@ namespace whipple
         retries_ = 0;
         caution_ = 1;
       }
-    snapshot_ = {domain.state, ledger, record_.steps};
+    snapshot_ = {domain.state, ledger, record_.steps, record_.dt_limits};
   }
 
   template <int dim>

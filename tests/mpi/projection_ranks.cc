@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "../unit/projection_fixture.h"
 
+#include <whipple/output/snapshot.h>
 #include <whipple/projection/to_eulerian.h>
 
 #include <gtest/gtest.h>
@@ -81,4 +82,29 @@ TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
       }
   EXPECT_NEAR(report.kinetic_loss, serial.kinetic_loss, 1e-13 * serial.elements.kinetic_energy);
   EXPECT_EQ(report.left_domain.mass, serial.left_domain.mass);
+}
+
+TEST(ProjectionRanks, ARankWithoutElementsCarriesTheSameQuantities)
+{
+  const auto     grid = lattice(Symmetry::axisymmetric, 6, 1);
+  const auto     all  = mesh_of(grid, uniform_keys(grid, 1));
+  const State<2> like = blank_state(all);
+  ASSERT_TRUE(like.material[0].has_voids());
+
+  // the last rank keeps cells, so that on one rank there is nothing but them
+  int rank, ranks;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const bool     has_cells = rank == ranks - 1;
+  const auto     mesh  = mesh_of(grid, has_cells ? uniform_keys(grid, 1) : std::vector<CellKey>(), Cohesion::fragments);
+  const State<2> state = empty_state_like<2>(like, mesh);
+  EXPECT_EQ(CellPacketLayout<2>::of(state).size(), CellPacketLayout<2>::of(like).size());
+  EXPECT_EQ(CellPacketLayout<2>::of(state).has_voids, CellPacketLayout<2>::of(like).has_voids);
+
+  // what then comes from there is still complete; so are the fields written, which waited for each other once
+  const auto elements = gather_elements<2>(MPI_COMM_WORLD, CellPacketLayout<2>::of(state),
+                                           elements_of<2>(CellPacketLayout<2>::of(state), mesh, state));
+  EXPECT_TRUE(elements.empty()); // no material yet
+  EXPECT_EQ(take_snapshot<2>(mesh, state, {"a", "b"}, {.empty_cells = true}).fields.size(),
+            take_snapshot<2>(all, like, {"a", "b"}, {.empty_cells = true}).fields.size());
 }

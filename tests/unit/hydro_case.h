@@ -153,14 +153,16 @@ namespace whipple::hydro_case
     return sum;
   }
 
-  /// Run to `end`, at most growing dt by a tenth a step. @return boundary work and all that steps report
+  /// Run to `end`, at most growing dt by a tenth a step.
+  /// @param first_step part of the stable time step to start with
+  /// @return boundary work and all that steps report
   inline LagrangeReport<2>
-  run(LagrangeStep<2> &step, State<2> &state, double end)
+  run(LagrangeStep<2> &step, State<2> &state, double end, double first_step = 0.01)
   {
     step.update_node_mass(state);
     step.update_pressure(state);
     LagrangeReport<2> total;
-    double            dt = 0.01 * step.time_step(state).dt;
+    double            dt = first_step * step.time_step(state).dt / 1.1;
     while (end - state.time > 1e-12 * end)
       {
         dt                = std::min({1.1 * dt, step.time_step(state).dt, end - state.time});

@@ -152,7 +152,10 @@ TEST(ToLagrangian, OpenVoidInAMaterialWithoutVoidLawIsRefused)
 {
   Perforation p(0.);
   for (MaterialState &material : p.state.material)
-    material.void_fraction.clear();
+    {
+      material.carries_voids = false;
+      material.void_fraction.clear();
+    }
   const auto            elements = p.elements(select_debris<2>(p.mesh, p.state, {}), Cohesion::fragments);
   ToLagrangianReport<2> report;
   try

@@ -88,7 +88,7 @@ namespace
     EXPECT_DOUBLE_EQ(aluminium.model.eos->reference_density(), 2.785);
     EXPECT_EQ(aluminium.request.yield_stress, 0.00345);
     EXPECT_EQ(aluminium.request.spall_strength, 0.012);
-    EXPECT_EQ(aluminium.request.alpha, 1000.);
+    EXPECT_EQ(aluminium.request.alpha, 1e5);
     EXPECT_DOUBLE_EQ(aluminium.request.sound_speed.value(), 0.5328);
     ASSERT_TRUE(aluminium.model.strength);
     ASSERT_TRUE(aluminium.model.void_law);
@@ -207,7 +207,7 @@ namespace
     EXPECT_EQ(
         complaint(shield, {"Mesh/Finest cel = 1 cm"}),
         "--set: Mesh/Finest cel = '1 cm': no such key; did you mean 'Finest cell'? allowed are Finest cell, Levels, "
-        "Refinement, Buffer, Regrid interval, Distended threshold, Distended ratio");
+        "Refinement, Buffer, Regrid interval, Distended threshold, Distended ratio, Quiet levels, Quiet velocity");
     EXPECT_EQ(complaint(shield, {"Mesh/Levels"}), "--set 'Mesh/Levels': allowed is 'Section/Sub/Name = value'");
     EXPECT_NE(complaint(shield, {"Mish/Levels = 2"}).find("no such section; did you mean 'Mesh'?"), std::string::npos);
     EXPECT_NE(complaint(shield, {"Mesh/Levels = many"}).find("--set: Mesh/Levels = 'many': allowed is a whole number"),

@@ -45,6 +45,15 @@ namespace whipple::exact
       return s < velocity_ ? side(left_, s, 1.) : side(right_, s, -1.);
     }
 
+    /// Mean density between the rays x / t = a and b: from -s rho' + (rho u)' = 0, the integral of rho over s is what
+    /// rho (s - u) gains, shocks and contact included.
+    double
+    mean_density(double a, double b) const
+    {
+      const Primitive low = (*this)(a), high = (*this)(b);
+      return (high.density * (b - high.velocity) - low.density * (a - low.velocity)) / (b - a);
+    }
+
   private:
     /// Velocity change across a wave that brings a state to pressure p.
     double

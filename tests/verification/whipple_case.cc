@@ -50,8 +50,9 @@ namespace
                            found.momentum[1] / introduced.momentum[1] - 1., 1e-10);
     figure::expect_at_most("total energy over the whole chain, of the initial kinetic energy",
                            (found.total_energy() - introduced.total_energy()) / introduced.kinetic_energy, 1e-10);
-    const double sphere_mass = introduced.momentum[1] / impact_velocity;
-    EXPECT_NEAR(introduced.kinetic_energy, 0.5 * sphere_mass * impact_velocity * impact_velocity, 1e-12);
+    // the energy of the sphere's flight; what it shares nodes with at the contact makes some of it heat from the start
+    const double flight = 0.5 * introduced.momentum[1] * impact_velocity;
+    EXPECT_NEAR(introduced.total_energy() / flight, 1., 1e-12);
   }
 } // namespace
 

@@ -7,8 +7,8 @@ namespace whipple
   struct HydroParameters
   {
     double courant             = 0.5;  ///< share of the time a wave needs to cross a cell
-    double linear_viscosity    = 0.3;  ///< c1 of the artificial viscosity
-    double quadratic_viscosity = 1.0;  ///< c2 of the artificial viscosity
+    double linear_viscosity    = 0.2;  ///< c1 of the artificial viscosity
+    double quadratic_viscosity = 1.33; ///< c2 of the artificial viscosity
     double hourglass           = 0.25; ///< kappa of the viscous hourglass resistance
     double max_volume_change   = 0.1;  ///< largest relative volume change of a cell in a step
   };

@@ -28,9 +28,10 @@ namespace whipple
     /// What a failed step goes back to.
     struct Snapshot
     {
-      State<dim>  state;
-      Ledger<dim> ledger;
-      long        step = 0;
+      State<dim>                  state;
+      Ledger<dim>                 ledger;
+      long                        step = 0;
+      std::map<std::string, long> dt_limits;
     };
 
     void
