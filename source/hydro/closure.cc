@@ -69,11 +69,15 @@ namespace whipple::closure
     const double open_void = cell_volume - material;
     if (open_void <= closed_share * cell_volume)
       share_by_compressibility(part, new_cell_volume, result);
-    else if (new_cell_volume < material)
-      share_by_compressibility(part, new_cell_volume, result);
-    else if (new_cell_volume <= cell_volume)
-      for (std::size_t m = 0; m < part.size(); ++m)
-        result[m] = part[m].volume;
+    else if (new_cell_volume < cell_volume)
+      {
+        double load = 0; // sum V_m P_m
+        for (const Part &p : part)
+          load += p.volume * p.pressure;
+        const double loss  = cell_volume - new_cell_volume;
+        const double share = compressed_share(material / cell_volume, loss / cell_volume, load > 0);
+        share_by_compressibility(part, std::min(material - share * loss, new_cell_volume), result);
+      }
     else
       for (std::size_t m = 0; m < part.size(); ++m)
         result[m] = part[m].pressure > 0 ? part[m].volume * (new_cell_volume / cell_volume) : part[m].volume;

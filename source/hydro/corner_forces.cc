@@ -22,44 +22,52 @@ namespace whipple::cell_kernels
     /// How a pack of cells is filled.
     struct Filling
     {
-      Pack::mask_type open;    ///< holds open void
-      Pack            modulus; ///< what a full cell answers volume change with, V / sum(V_m / K_m), Mbar
+      Pack::mask_type open;       ///< holds open void
+      Pack            modulus;    ///< what a full cell answers volume change with, V / sum(V_m / K_m), Mbar
+      Pack            compressed; ///< part of a compression that the materials of a cell with open void take
+      Pack            occupied;   ///< sum V_m / V
     };
 
     template <int dim>
     Filling
-    filling(const State<dim> &state, const Pack &volume, Index first)
+    filling(const State<dim> &state, const Pack &volume, const Pack &strain, Index first)
     {
-      Pack occupied(0.), compliance(0.);
+      Pack occupied(0.), compliance(0.), pressed(0.);
       for (const MaterialState &material : state.material)
         {
           const Pack v = load(material.volume, first), c = load(material.sound_speed, first);
           const Pack modulus = load(material.density, first) * c * c;
           occupied += v;
+          pressed += v * load(material.pressure, first);
           compliance += select(v > 0., v / modulus, Pack(0.));
         }
+      const Pack filled = occupied / volume;
       return {volume - occupied > closure::closed_share * volume,
-              select(compliance > 0., occupied / compliance, Pack(0.))};
+              select(compliance > 0., occupied / compliance, Pack(0.)),
+              select(strain > 0., closure::compressed_share(filled, strain, pressed > 0.), Pack(0.)), filled};
     }
 
     /// Half-step pressure of one material. Pores give way before the material does: where they are open the
-    /// pressure is not extrapolated. Beside open void a material carries no tension, and while the cell is
-    /// compressed only the void gives way: the material keeps its volume, so it must not do or take work either
-    /// (a wisp in a cell that keeps closing would otherwise be heated without bound).
+    /// pressure is not extrapolated. Beside open void a material carries no tension, and of a compression it takes
+    /// part only as far as closure::compressed_share() says; its pressure on the nodes is scaled with that, so that the
+    /// work done on it belongs to the change of its volume (a wisp in a cell that keeps closing would otherwise be
+    /// heated without bound).
     Pack
     half_pressure(const MaterialState &material, const Filling &fill, const Pack &expansion, Index first)
     {
       const Pack pressure = load(material.pressure, first);
       const Pack c = load(material.sound_speed, first), modulus = load(material.density, first) * c * c;
-      Pack       full  = pressure - fill.modulus * expansion;
-      Pack       loose = pressure - modulus * expansion;
+      const auto compressed = expansion < 0. && fill.occupied > 0.;
+      const Pack part       = select(compressed && fill.open, Pack(fill.compressed / fill.occupied), Pack(1.));
+      Pack       full       = pressure - fill.modulus * expansion;
+      Pack       loose      = pressure - modulus * (part * expansion);
       if (material.has_voids())
         {
           const auto porous = load(material.void_fraction, first) > 0.;
           full              = select(porous, pressure, full);
           loose             = select(porous, pressure, loose);
         }
-      return select(fill.open, select(expansion < 0., Pack(0.), max(loose, Pack(0.))), full);
+      return select(fill.open, Pack(part * max(loose, Pack(0.))), full);
     }
 
     /// Half-step deviator of one material.
@@ -170,12 +178,13 @@ namespace whipple::cell_kernels
           half.hourglass_shape = {hourglass::moment(x[0]), hourglass::moment(x[1])};
 
           const auto      gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
-          const Filling   fill     = filling(state, load(state.volume, first), first);
+          const Pack      strain   = -dt * gradient.divergence();
+          const Filling   fill     = filling(state, load(state.volume, first), strain, first);
           const MeanState mean     = mean_state<strength>(state, gradient, fill, dt, first, work);
           const Pack      mass = load(work.mass, first), inverse = 1. / half.volume;
-          half.viscosity = select(fill.open, Pack(0.),
-                                  artificial_viscosity(parameters, x, v, gradient.divergence(), Pack(mass * inverse),
-                                                       mean.sound_speed, first, work));
+          half.viscosity = artificial_viscosity(parameters, x, v, gradient.divergence(), Pack(mass * inverse),
+                                                mean.sound_speed, first, work);
+          half.viscosity *= select(fill.open, fill.compressed, Pack(1.));
 
           Pack area = half.volume;
           if constexpr (symmetry == Symmetry::axisymmetric)

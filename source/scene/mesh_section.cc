@@ -30,7 +30,7 @@ namespace whipple::sections
     section.declare("Finest cell", "", "edge of the finest cells");
     section.declare("Levels", "5", "refinement levels below the root cells: root cell = finest cell * 2^levels");
     section.declare("Refinement", "adaptive", "adaptive: follows the material; uniform: finest cells everywhere");
-    section.declare("Buffer", "4", "finest cells kept around material that needs the finest level");
+    section.declare("Buffer", "8", "finest cells kept around material that needs the finest level");
     section.declare("Regrid interval", "10", "steps between regrids");
     section.declare("Distended threshold", "0.1",
                     "solid volume fraction of a cell below which it gives up one level of refinement");

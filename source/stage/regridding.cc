@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whipple
 {
@@ -21,10 +22,32 @@ namespace whipple
     }
   } // namespace
 
+  namespace
+  {
+    /// Levels that undisturbed material may give up: the thinnest body must keep `least_cells` cells, or cells with
+    /// void on both sides would not know where in them the material is.
+    template <int dim>
+    int
+    quiet_levels(const Scene<dim> &scene)
+    {
+      constexpr double least_cells = 2.5;
+      double           thinnest    = std::numeric_limits<double>::infinity();
+      for (const Body<dim> &body : scene.bodies)
+        {
+          const Box<dim> box = extent(body.shape);
+          for (int d = 0; d < dim; ++d)
+            thinnest = std::min(thinnest, box.upper[d] - box.lower[d]);
+        }
+      const double levels = std::floor(std::log2(thinnest / (least_cells * scene.lattice.spacing)));
+      return static_cast<int>(std::clamp<double>(levels, 0, scene.mesh.quiet_levels));
+    }
+  } // namespace
+
   template <int dim>
   Regridding<dim>::Regridding(const Scene<dim> &scene, const FieldLayout &layout)
     : scene_(scene)
     , layout_(layout)
+    , quiet_levels_(quiet_levels(scene))
   {
   }
 
@@ -113,6 +136,44 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  Regridding<dim>::request_cells(const Domain<dim> &domain, int buffer, RefinementMap<dim> &map) const
+  {
+    const FlatMesh<dim> &mesh = domain.view->mesh;
+    for (Index c = 0; c < mesh.n_owned; ++c)
+      {
+        const double solid = solid_fraction(domain.state, c);
+        if (solid == 0.)
+          continue;
+        LatticePoint<dim> lower = key_point<dim>(mesh.key[c]), upper = lower;
+        for (int d = 0; d < dim; ++d)
+          upper[d] += scene_.lattice.extent(mesh.level[c]);
+        int level = wanted_level(solid);
+        if (is_quiet(mesh, domain.state, c))
+          level = std::max(0, level - quiet_levels_);
+        map.request(level, lower, upper, buffer);
+      }
+  }
+
+  template <int dim>
+  bool
+  Regridding<dim>::serves(const Domain<dim> &domain) const
+  {
+    RefinementMap<dim> map(scene_.lattice);
+    request_cells(domain, scene_.mesh.buffer / 2, map);
+    map.synchronise(domain.communicator());
+    const auto                leaves = domain.forest.leaves();
+    std::vector<std::uint8_t> active(leaves.size(), 0);
+    for (const Index leaf : domain.view->leaf_of_cell)
+      active[leaf] = 1;
+    int served = 1;
+    for (std::size_t i = 0; i < leaves.size() && served; ++i)
+      served = key_level(leaves[i]) >= target(map, leaves[i]) && (active[i] || !map.touched(leaves[i]));
+    MPI_Allreduce(MPI_IN_PLACE, &served, 1, MPI_INT, MPI_MIN, domain.communicator());
+    return served;
+  }
+
+  template <int dim>
   double
   Regridding<dim>::regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering) const
   {
@@ -127,18 +188,11 @@ namespace whipple
       for (Index c = 0; c < mesh.n_owned; ++c)
         {
           const double solid = solid_fraction(domain.state, c);
-          if (solid == 0.)
-            continue;
-          packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
-          LatticePoint<dim> lower = key_point<dim>(mesh.key[c]), upper = lower;
-          for (int d = 0; d < dim; ++d)
-            upper[d] += scene_.lattice.extent(mesh.level[c]);
-          int level = wanted_level(solid);
-          if (is_quiet(mesh, domain.state, c))
-            level = std::max(0, level - scene_.mesh.quiet_levels);
-          map.request(level, lower, upper, scene_.mesh.buffer);
+          if (solid > 0.)
+            packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
         }
     }
+    request_cells(domain, scene_.mesh.buffer, map);
     request_bodies(scene_, entering, map);
     map.synchronise(communicator);
 

@@ -79,6 +79,16 @@ namespace whipple
   }
 
   template <int dim>
+  bool
+  StageLoop<dim>::regrid_is_due(const Domain<dim> &domain)
+  {
+    if (since_regrid_ < scene_.mesh.regrid_steps)
+      return false;
+    since_regrid_ = 0; // or ask again after as many steps
+    return !regridding_.serves(domain);
+  }
+
+  template <int dim>
   double
   StageLoop<dim>::time_left(const Domain<dim> &domain)
   {
@@ -235,7 +245,7 @@ namespace whipple
             go_back(domain, ledger, counts, error);
             continue;
           }
-        if (eulerian && (since_regrid_ >= scene_.mesh.regrid_steps || guard_touched(domain)))
+        if (eulerian && (regrid_is_due(domain) || guard_touched(domain)))
           {
             regrid(domain, ledger);
             take_snapshot(domain, ledger);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
+#include <whipple/hydro/pack.h>
+
 #include <span>
 
 /// Mixed cells: how a change of the cell's volume is shared between open void and materials.
@@ -11,6 +12,28 @@ namespace whipple::closure
   /// Open void up to this share of the cell's volume counts as none: what interface reconstruction leaves
   /// behind when a cell is full.
   inline constexpr double closed_share = 1e-9;
+
+  /// Part w of a compression -dV of a cell with open void that its materials take, -sum dV_m = w (-dV); the pressure
+  /// on the nodes is w times that of the materials, so that work and change of volume agree:
+  ///
+  ///     w = max(1 - o / strain, f S(2 f - 1) if the materials are under pressure),   o = 1 - f,   S = 3 x^2 - 2 x^3 in
+  ///     [0, 1]
+  ///
+  /// The first term closes the void before anything is compressed. The second lets material under pressure that nearly
+  /// fills the cell be compressed with it (w = f), or void that comes back with every remap would keep it from ever
+  /// resisting; a wisp in a cell that closes is left alone, or it would have to carry all the cell's load.
+  /// @param filled f = sum V_m / V
+  /// @param strain -dV / V > 0
+  template <typename Number, typename Mask>
+  inline Number
+  compressed_share(const Number &filled, const Number &strain, const Mask &under_pressure)
+  {
+    const Number zero(0.), one(1.), half_filled = 2. * filled - 1.;
+    const Number x       = select(half_filled < 0., zero, select(half_filled > 1., one, half_filled));
+    const Number closing = 1. - (1. - filled) / strain;
+    const Number pressed = select(under_pressure, Number(filled * x * x * (3. - 2. * x)), zero);
+    return select(closing > pressed, closing, pressed);
+  }
 
   /// One material of a mixed cell.
   struct Part
@@ -22,9 +45,9 @@ namespace whipple::closure
 
   /// New volumes of the materials when the cell goes from `cell_volume` to `new_cell_volume`.
   ///
-  /// With open void, compression closes the void first and then acts on the materials; expansion opens the
-  /// void, but a material under pressure expands with the cell. Without open void, all materials change
-  /// their pressure by the same amount: V_m -> V_m exp(-x / K_m).
+  /// With open void, the materials take compressed_share() of a compression; expansion opens the void, but a material
+  /// under pressure expands with the cell. Without open void, all materials change their pressure by the same amount:
+  /// V_m -> V_m exp(-x / K_m).
   /// @param part   materials with volume > 0
   /// @param result new volumes, same order; positive if new_cell_volume is
   void

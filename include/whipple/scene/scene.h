@@ -104,8 +104,8 @@ namespace whipple
   struct MeshControl
   {
     Refinement refinement     = Refinement::adaptive;
-    int        buffer         = 4;  ///< finest cells kept around material of the finest level
-    int        regrid_steps   = 10; ///< steps between regrids
+    int        buffer         = 8;  ///< cells of the level needed kept around material
+    int        regrid_steps   = 10; ///< steps between looks whether to regrid
     double     solid_fraction = 0;  ///< solid volume / cell volume below which a cell gives up one level ...
     double     solid_ratio    = 0;  ///< ... and one more for each factor of this (< 1) below it
     int        quiet_levels   = 0;  ///< levels that undisturbed material gives up

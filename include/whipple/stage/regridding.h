@@ -39,6 +39,11 @@ namespace whipple
     void
     build(Domain<dim> &domain, const RefinementMap<dim> &map) const;
 
+    /// Whether the mesh still serves: every cell has the level it needs, and active cells around it, within half the
+    /// buffer. Collective. A regrid costs as much as dozens of steps; this costs less than one.
+    bool
+    serves(const Domain<dim> &domain) const;
+
     /// Follow the material: refine, coarsen and repartition with all contents, flatten anew.
     /// @param entering bodies about to be painted, for which the mesh is prepared as well
     /// @returns kinetic energy that velocity averaging turned into heat (or dropped), all ranks, Mbar cm^3
@@ -51,6 +56,9 @@ namespace whipple
     guard_cells(const FlatMesh<dim> &mesh);
 
   private:
+    /// Ask for what every owned cell needs.
+    void
+    request_cells(const Domain<dim> &domain, int buffer, RefinementMap<dim> &map) const;
     std::uint8_t
     target(const RefinementMap<dim> &map, CellKey leaf) const;
     void
@@ -58,5 +66,6 @@ namespace whipple
 
     const Scene<dim>  &scene_;
     const FieldLayout &layout_;
+    int                quiet_levels_; ///< that undisturbed material gives up
   };
 } // namespace whipple

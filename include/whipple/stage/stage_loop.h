@@ -41,6 +41,8 @@ namespace whipple
     void
     release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
     bool
+    regrid_is_due(const Domain<dim> &domain);
+    bool
     guard_touched(const Domain<dim> &domain) const;
     double
     choose_time_step(const Domain<dim> &domain, double left);
