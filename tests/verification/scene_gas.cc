@@ -16,9 +16,9 @@ namespace
 
   /// L1 error on [0, 1] at t = 0.2 of the cells' densities against the exact means over the same cells: the cell values
   /// are means, and half the cell that holds the contact would else count as error or not by where its middle lies.
-  /// Same norm for both modes.
+  /// Same norm for both modes. Where the goal is out of reach the test holds what is reached.
   void
-  expect_sod(const std::string &mode, const std::string &cell, double bound)
+  expect_sod(const std::string &mode, const std::string &cell, double goal, double bound)
   {
     const auto simulation = verification::run(
         "verification/sod.prm", {"Mesh/Finest cell = " + cell, "Stages/tube/Mode = " + mode}, "sod_" + mode + cell);
@@ -30,7 +30,9 @@ namespace
         error += std::abs(s.density - exact.mean_density((low - 0.5) / 0.2, (high - 0.5) / 0.2)) * s.volume;
         width += s.volume;
       }
-    figure::record("Sod, " + mode + ": L1 of the density", error / width, "<= " + std::to_string(bound));
+    figure::record("Sod, " + mode + ": L1 of the density", error / width,
+                   "<= " + std::to_string(goal) +
+                       (bound > goal ? "; SHORT of it, test bound " + std::to_string(bound) : ""));
     EXPECT_LE(error / width, bound);
   }
 
@@ -40,27 +42,27 @@ namespace
   // Lagrangian (doc/theory/lagrange_step.md, "Sod").
   TEST(SceneSod, Eulerian100)
   {
-    expect_sod("eulerian", "0.01 cm", 4.4e-3);
+    expect_sod("eulerian", "0.01 cm", 4.4e-3, 4.4e-3);
   }
   TEST(SceneSod, Eulerian200)
   {
-    expect_sod("eulerian", "0.005 cm", 2.5e-3);
+    expect_sod("eulerian", "0.005 cm", 2.5e-3, 2.5e-3);
   }
   TEST(SceneSod, Eulerian400)
   {
-    expect_sod("eulerian", "0.0025 cm", 1.6e-3);
+    expect_sod("eulerian", "0.0025 cm", 1.6e-3, 1.6e-3);
   }
   TEST(SceneSod, Lagrangian100)
   {
-    expect_sod("lagrangian", "0.01 cm", 4.7e-3);
+    expect_sod("lagrangian", "0.01 cm", 4.4e-3, 4.7e-3);
   }
   TEST(SceneSod, Lagrangian200)
   {
-    expect_sod("lagrangian", "0.005 cm", 2.5e-3);
+    expect_sod("lagrangian", "0.005 cm", 2.5e-3, 2.5e-3);
   }
   TEST(SceneSod, Lagrangian400)
   {
-    expect_sod("lagrangian", "0.0025 cm", 1.6e-3);
+    expect_sod("lagrangian", "0.0025 cm", 1.6e-3, 1.6e-3);
   }
 
   /// Relative L1 error of the density inside the unit sphere's neighbourhood, and the energy's closure.
