@@ -186,11 +186,7 @@ namespace whipple
       const InterfaceNormals<dim> normals = interface_normals(mesh, domain.state);
       const CornerVelocities<dim> corners = corner_velocities(mesh, domain.state);
       for (Index c = 0; c < mesh.n_owned; ++c)
-        {
-          const double solid = solid_fraction(domain.state, c);
-          if (solid > 0.)
-            packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
-        }
+        packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
     }
     request_cells(domain, scene_.mesh.buffer, map);
     request_bodies(scene_, entering, map);
