@@ -121,8 +121,6 @@ namespace whipple
     , work_(make_work(mesh, materials, boundaries))
     , true_density_(mesh.n_cells)
   {
-    if (std::any_of(materials.begin(), materials.end(), [](const Material &material) { return material.isothermal; }))
-      no_energy_.assign(mesh.n_cells, 0.);
   }
 
   template <int dim>
@@ -171,8 +169,7 @@ namespace whipple
       {
         MaterialState &material = state.material[m];
         evaluate_true_density(material, materials_[m]);
-        materials_[m].eos->evaluate(true_density_, materials_[m].isothermal ? no_energy_ : material.energy,
-                                    material.pressure, material.sound_speed);
+        materials_[m].eos->evaluate(true_density_, material.energy, material.pressure, material.sound_speed);
         if (material.has_voids())
           for (Index cell = 0; cell < mesh_.n_cells; ++cell)
             material.pressure[cell] *= 1. - material.void_fraction[cell];
@@ -222,8 +219,7 @@ namespace whipple
           MaterialWork &next = work_.material[m];
           std::copy(state.material[m].void_fraction.begin(), state.material[m].void_fraction.end(),
                     next.void_fraction.begin());
-          materials_[m].void_law->advance(*materials_[m].eos, dt, next.density,
-                                          materials_[m].isothermal ? no_energy_ : next.energy, next.void_fraction);
+          materials_[m].void_law->advance(*materials_[m].eos, dt, next.density, next.energy, next.void_fraction);
         }
   }
 

@@ -146,13 +146,7 @@ namespace whipple
     ledger.convert("viscous work", sums[3 + dim]);
     ledger.convert("hourglass work", sums[4 + dim]);
     ledger.convert("plastic work", sums[5 + dim]);
-    ledger.convert("remap", sums[6 + dim]);
-    if (lost_kinetic_energy_ == KineticLoss::drop)
-      {
-        ConservedTotals<dim> lost;
-        lost.kinetic_energy = sums[6 + dim];
-        ledger.drop("remap", lost);
-      }
+    ledger.lose_kinetic("remap", sums[6 + dim], lost_kinetic_energy_);
   }
 
   template class Cycle<2>;

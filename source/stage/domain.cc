@@ -1,8 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/lagrange_step.h>
+#include <whipple/stage/collective.h>
 #include <whipple/stage/domain.h>
 
 namespace whipple
 {
+  template <int dim>
+  void
+  clear_state(const FieldLayout &layout, Domain<dim> &domain)
+  {
+    const double time = domain.state.time;
+    domain.state      = layout.allocate(domain.view->mesh);
+    domain.state.time = time;
+    initialise_geometry(domain.view->mesh, domain.state);
+  }
+
+  template <int dim>
+  double
+  unpack_leaves(const FieldLayout &fields, const CellPacketLayout<dim> &layout, const std::vector<CellPacket> &packets,
+                const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain)
+  {
+    const FlatMesh<dim>  &mesh = domain.view->mesh;
+    CornerVelocities<dim> corners(mesh.n_cells);
+    for (Index c = 0; c < mesh.n_owned; ++c)
+      unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
+    exchange_cells(fields, domain.view->halo, domain.state);
+    exchange_corners(domain.view->halo, corners);
+    const GatherReport<dim> report = gather_velocities(mesh, boundaries, corners, loss, domain.state);
+    return sum_over_ranks(report.kinetic_loss, domain.communicator());
+  }
+
   template <int dim>
   void
   exchange_cells(const FieldLayout &layout, const Halo<dim> &halo, State<dim> &state)
@@ -21,6 +48,11 @@ namespace whipple
     halo.exchange(std::vector<std::vector<double> *>{&corners.kinetic_remainder}, {});
   }
 
+  template void
+  clear_state(const FieldLayout &, Domain<2> &);
+  template double
+  unpack_leaves(const FieldLayout &, const CellPacketLayout<2> &, const std::vector<CellPacket> &,
+                const Boundaries<2> &, KineticLoss, Domain<2> &);
   template void
   exchange_cells(const FieldLayout &, const Halo<2> &, State<2> &);
   template void

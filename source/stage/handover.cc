@@ -15,20 +15,6 @@ namespace whipple
 {
   namespace
   {
-    /// Kinetic energy a projection lost: heat stays in the problem, what is dropped leaves it.
-    template <int dim>
-    void
-    book_loss(KineticLoss loss, double energy, const std::string &cause, Ledger<dim> &ledger)
-    {
-      ledger.convert(cause, energy);
-      if (loss == KineticLoss::drop)
-        {
-          ConservedTotals<dim> lost;
-          lost.kinetic_energy = energy;
-          ledger.drop(cause, lost);
-        }
-    }
-
     /// Bounding box of an element.
     template <int dim>
     std::array<Vector<dim>, 2>
@@ -140,7 +126,7 @@ namespace whipple
         to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
                     scene_.boundaries, stage.lost_kinetic_energy, domain.state);
     ledger.leave(report.left_domain);
-    book_loss(stage.lost_kinetic_energy, report.kinetic_loss, "projection", ledger);
+    ledger.lose_kinetic("projection", report.kinetic_loss, stage.lost_kinetic_energy);
   }
 
   template <int dim>
@@ -183,7 +169,7 @@ namespace whipple
     domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
     domain.view->halo.exchange(
         {}, std::vector<std::vector<double> *>{&domain.state.velocity[0], &domain.state.velocity[1]});
-    book_loss(stage.lost_kinetic_energy, sum_over_ranks(report.kinetic_loss, communicator), "projection", ledger);
+    ledger.lose_kinetic("projection", sum_over_ranks(report.kinetic_loss, communicator), stage.lost_kinetic_energy);
     if (select)
       spread(stage, domain, ledger);
   }
@@ -210,23 +196,12 @@ namespace whipple
     std::vector<std::uint8_t> active(packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i)
       active[i] = !packets[i].empty();
-    const double time = domain.state.time;
     domain.view =
         domain.forest.flatten(active, stage.cohesion == Cohesion::bonded ? halo_width<dim> : 0, stage.cohesion);
-    const FlatMesh<dim> &now = domain.view->mesh;
-    domain.state             = layout_.allocate(now);
-    domain.state.time        = time;
-    initialise_geometry(now, domain.state);
-
-    CornerVelocities<dim> corners(now.n_cells);
-    for (Index c = 0; c < now.n_owned; ++c)
-      unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
-    exchange_cells(layout_, domain.view->halo, domain.state);
-    exchange_corners(domain.view->halo, corners);
-    const GatherReport<dim> report =
-        gather_velocities(now, scene_.boundaries, corners, stage.lost_kinetic_energy, domain.state);
-    book_loss(stage.lost_kinetic_energy, sum_over_ranks(report.kinetic_loss, domain.communicator()), "projection",
-              ledger);
+    clear_state(layout_, domain);
+    ledger.lose_kinetic("projection",
+                        unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain),
+                        stage.lost_kinetic_energy);
   }
 
   template class Handover<2>;

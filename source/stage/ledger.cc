@@ -37,6 +37,18 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  Ledger<dim>::lose_kinetic(const std::string &cause, double energy, KineticLoss loss)
+  {
+    convert(cause, energy);
+    if (loss != KineticLoss::drop)
+      return;
+    ConservedTotals<dim> lost;
+    lost.kinetic_energy = energy;
+    drop(cause, lost);
+  }
+
+  template <int dim>
   typename Ledger<dim>::Closure
   Ledger<dim>::imbalance(const ConservedTotals<dim> &present) const
   {

@@ -114,11 +114,8 @@ namespace whipple
     std::vector<std::uint8_t> active(leaves.size());
     for (std::size_t i = 0; i < leaves.size(); ++i)
       active[i] = map.touched(leaves[i]);
-    const double time = domain.state.time;
-    domain.view       = domain.forest.flatten(active, halo_width<dim>, Cohesion::bonded);
-    domain.state      = layout_.allocate(domain.view->mesh);
-    domain.state.time = time;
-    initialise_geometry(domain.view->mesh, domain.state);
+    domain.view = domain.forest.flatten(active, halo_width<dim>, Cohesion::bonded);
+    clear_state(layout_, domain);
   }
 
   template <int dim>
@@ -196,14 +193,7 @@ namespace whipple
     domain.forest.adapt_until([&](CellKey leaf) { return target(map, leaf); }, packets, remap, leaf_weight);
     flatten(domain, map);
 
-    const FlatMesh<dim>  &now = domain.view->mesh;
-    CornerVelocities<dim> corners(now.n_cells);
-    for (Index c = 0; c < now.n_owned; ++c)
-      unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
-    exchange_cells(layout_, domain.view->halo, domain.state);
-    exchange_corners(domain.view->halo, corners);
-    const GatherReport<dim> report = gather_velocities(now, scene_.boundaries, corners, loss, domain.state);
-    return sum_over_ranks(report.kinetic_loss, communicator);
+    return unpack_leaves(layout_, layout, packets, scene_.boundaries, loss, domain);
   }
 
   template <int dim>

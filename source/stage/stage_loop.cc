@@ -54,14 +54,8 @@ namespace whipple
   void
   StageLoop<dim>::regrid(Domain<dim> &domain, Ledger<dim> &ledger)
   {
-    const double lost = regridding_.regrid(domain, stage_.lost_kinetic_energy);
-    ledger.convert("regrid", lost);
-    if (stage_.lost_kinetic_energy == KineticLoss::drop)
-      {
-        ConservedTotals<dim> dropped;
-        dropped.kinetic_energy = lost;
-        ledger.drop("regrid", dropped);
-      }
+    const KineticLoss loss = stage_.lost_kinetic_energy;
+    ledger.lose_kinetic("regrid", regridding_.regrid(domain, loss), loss);
     new_mesh(domain);
     ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "a regrid", round_off);
   }

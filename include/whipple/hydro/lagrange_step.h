@@ -87,6 +87,5 @@ namespace whipple
     mutable StepWork<dim>        work_;
 
     mutable std::vector<double> true_density_; ///< gamma handed to the equation of state
-    std::vector<double>         no_energy_;    ///< e = 0 of isothermal materials; empty if there is none
   };
 } // namespace whipple

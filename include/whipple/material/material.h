@@ -18,6 +18,6 @@ namespace whipple
     std::shared_ptr<const EquationOfState> eos;
     std::shared_ptr<const Strength>        strength; ///< null: hydrodynamic
     std::shared_ptr<const VoidLaw>         void_law; ///< null: phi = 0 always, no field allocated
-    bool isothermal = false; ///< P_s = P_s(gamma, 0) as in 1993; work is still booked in the energy
+    bool isothermal = false; ///< eos is an IsothermalEquationOfState: P_s(gamma, 0) as in 1993; work is still booked
   };
 } // namespace whipple

@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/forest.h>
 #include <whipple/stage/field_layout.h>
+#include <whipple/state/packet_layout.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <memory>
@@ -25,6 +26,18 @@ namespace whipple
       return forest.communicator();
     }
   };
+
+  /// A state without material on the present view, at undeformed positions; the time stays.
+  template <int dim>
+  void
+  clear_state(const FieldLayout &layout, Domain<dim> &domain);
+
+  /// Fill a cleared state from the packets of this rank's leaves: cells, halo, then nodes. Collective.
+  /// @returns kinetic energy that velocity averaging turned into heat (or dropped), all ranks, Mbar cm^3
+  template <int dim>
+  double
+  unpack_leaves(const FieldLayout &fields, const CellPacketLayout<dim> &layout, const std::vector<CellPacket> &packets,
+                const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain);
 
   /// Bring the cells' contents of a state up to date in the halo.
   template <int dim>

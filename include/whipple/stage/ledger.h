@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/stage/totals.h>
+#include <whipple/state/velocity_gather.h>
 
 #include <map>
 #include <string>
@@ -35,6 +36,11 @@ namespace whipple
 
     void
     convert(const std::string &cause, double energy);
+
+    /// Kinetic energy that averaging velocities lost: converted; where it does not heat the material it is dropped,
+    /// too.
+    void
+    lose_kinetic(const std::string &cause, double energy, KineticLoss loss);
 
     /// Compare the books with what is present.
     /// @param tolerance largest allowed change of the imbalance since the last call, relative to what was
