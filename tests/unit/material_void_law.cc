@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The void laws against the exact solution of the rate law and against what they promise for any alpha.
 #include "../figure.h"
-#include "material_exact_void.h"
 
 #include <whipple/error.h>
+#include <whipple/exact/void_rate.h>
 #include <whipple/material/equilibrium_void_law.h>
 #include <whipple/material/ideal_gas.h>
 #include <whipple/material/linear_polynomial.h>
@@ -89,9 +89,10 @@ namespace whipple
       for (const double alpha : alphas)
         {
           SCOPED_TRACE("g0 " + std::to_string(g0) + " alpha " + std::to_string(alpha));
-          const double phi0   = 0.3;
-          const double rho    = (1. - phi0) * g0 * gamma0;
-          const double exact  = 1. - rho / (gamma0 * testing_support::exact_density_ratio(g0, 1.));
+          const double phi0 = 0.3;
+          const double rho  = (1. - phi0) * g0 * gamma0;
+          const double exact =
+              exact::VoidRate({gamma0, bulk_modulus, alpha, rho, phi0}).void_fraction(gamma0 / (alpha * bulk_modulus));
           const double coarse = std::abs(phi_after_one_relaxation_time(alpha, rho, phi0, 64) - exact);
           const double fine   = std::abs(phi_after_one_relaxation_time(alpha, rho, phi0, 128) - exact);
           order(coarse / fine - 2.);
