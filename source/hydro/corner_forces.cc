@@ -146,6 +146,7 @@ namespace whipple::cell_kernels
               });
           jumps.add(viscosity::stretch(d, x, v), side[0], side[1]);
         }
+      jumps.raise_to(viscosity::thin_jump(x, v));
       return select(compressed, jumps.pressure(parameters, density, sound_speed), Pack(0.));
     }
 

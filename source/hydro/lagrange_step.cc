@@ -26,7 +26,8 @@ namespace whipple
       if (across != none)
         return across;
       const int  domain_side = faces.side[face];
-      const bool mirror      = domain_side >= 0 && boundaries[domain_side].kind != BoundaryKind::transmitting;
+      const bool mirror      = domain_side >= 0 && (gives_velocity(boundaries[domain_side].kind) ||
+                                               boundaries[domain_side].kind == BoundaryKind::reflecting);
       return mirror ? cell : mesh.n_cells;
     }
 
@@ -260,7 +261,7 @@ namespace whipple
     motion_.predict(state, dt, work_);
     cell_kernels::stretch_rates(mesh_, state, work_);
     cell_kernels::corner_forces(mesh_, state, parameters_, dt, work_);
-    motion_.absorb(state, work_);
+    motion_.load_sides(state, work_);
     const BoundaryExchange<dim>     exchange    = motion_.move(state, dt, work_);
     const cell_kernels::Dissipation dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
     advance_voids(state, dt);

@@ -11,6 +11,7 @@ namespace whipple
   template <int dim>
   NodeMotion<dim>::NodeMotion(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries)
     : mesh_(mesh)
+    , boundaries_(boundaries)
     , node_owned_(mesh.n_nodes)
   {
     for (Index node = 0; node < mesh.n_nodes; ++node)
@@ -20,35 +21,31 @@ namespace whipple
       }
     for (Index node = 0; node < mesh.n_nodes; ++node)
       {
-        ConstrainedNode constraint{node, node_owned_[node] != 0, {}, {}};
-        for (const BoundaryKind kind : {BoundaryKind::inflow, BoundaryKind::reflecting})
-          for (int side = 0; side < 2 * dim; ++side)
-            if ((mesh.node_side[node] >> side & 1) && boundaries[side].kind == kind)
-              for (int d = 0; d < dim; ++d)
-                if (kind == BoundaryKind::inflow || d == side / 2)
-                  {
-                    constraint.fixed[d]    = true;
-                    constraint.velocity[d] = kind == BoundaryKind::inflow ? boundaries[side].velocity[d] : 0.;
-                  }
-        if (std::find(constraint.fixed.begin(), constraint.fixed.end(), true) != constraint.fixed.end())
+        ConstrainedNode constraint{node, node_owned_[node] != 0, {}};
+        for (int d = 0; d < dim; ++d)
+          constraint.side[d] = ruling_side<dim>(boundaries, mesh.node_side[node], d);
+        if (std::any_of(constraint.side.begin(), constraint.side.end(), [](int side) { return side != none; }))
           constrained_.push_back(constraint);
       }
     for (int axis = 0; axis < dim; ++axis)
       for (Index face = 0; face < mesh.faces[axis].size(); ++face)
         {
           const int side = mesh.faces[axis].side[face];
-          if (side < 0 || boundaries[side].kind != BoundaryKind::transmitting)
+          if (side < 0 ||
+              (boundaries[side].kind != BoundaryKind::transmitting && boundaries[side].kind != BoundaryKind::pressure))
             continue;
           const bool  upper = side % 2 == 1;
           const Index cell  = mesh.faces[axis].cell[upper ? 0 : 1][face];
-          const int   low   = upper ? 1 << axis : 0;
-          absorbing_.push_back({cell, axis, {low, low | (1 << (1 - axis))}});
-          for (const int k : absorbing_.back().corner)
+          const int   low = upper ? 1 << axis : 0, high = low | (1 << (1 - axis));
+          // counter-clockwise around the cell: up its right side, down its left one
+          const bool forward = upper == (axis == 0);
+          loaded_.push_back({cell, side, {forward ? low : high, forward ? high : low}});
+          for (const int k : loaded_.back().corner)
             traction_node_.push_back(mesh.cell_node[cell * 4 + k]);
         }
     std::sort(traction_node_.begin(), traction_node_.end());
     traction_node_.erase(std::unique(traction_node_.begin(), traction_node_.end()), traction_node_.end());
-    if (!absorbing_.empty())
+    if (!loaded_.empty())
       for (auto &component : traction_)
         component.assign(mesh.n_nodes, 0.);
   }
@@ -118,33 +115,63 @@ namespace whipple
 
   template <int dim>
   void
-  NodeMotion<dim>::absorb(const State<dim> &state, const StepWork<dim> &work)
+  NodeMotion<dim>::load_sides(const State<dim> &state, const StepWork<dim> &work)
   {
     for (const Index node : traction_node_)
       for (auto &component : traction_)
         component[node] = 0;
-    for (const AbsorbingFace &face : absorbing_)
+    for (const LoadedFace &face : loaded_)
+      if (boundaries_[face.side].kind == BoundaryKind::pressure)
+        press(face, state, work);
+      else
+        absorb(face, state, work);
+  }
+
+  template <int dim>
+  void
+  NodeMotion<dim>::press(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work)
+  {
+    double material = 0;
+    for (const MaterialState &m : state.material)
+      material += m.volume[face.cell];
+    const double p  = boundaries_[face.side].pressure * std::min(1., material / state.volume[face.cell]);
+    const Index  a  = mesh_.cell_node[face.cell * 4 + face.corner[0]],
+                b   = mesh_.cell_node[face.cell * 4 + face.corner[1]];
+    const auto  &x  = work.half_position;
+    const double dr = x[0][b] - x[0][a], dz = x[1][b] - x[1][a], length = std::sqrt(dr * dr + dz * dz);
+    if (length == 0)
+      return;
+    const auto area = end_areas(mesh_.symmetry, {x[0][a], x[0][b]}, length);
+    for (int i = 0; i < 2; ++i)
       {
-        const std::array<Index, 2> node{mesh_.cell_node[face.cell * 4 + face.corner[0]],
-                                        mesh_.cell_node[face.cell * 4 + face.corner[1]]};
-        const auto                &x  = work.half_position;
-        const double               dr = x[0][node[1]] - x[0][node[0]], dz = x[1][node[1]] - x[1][node[0]];
-        const auto area      = end_areas(mesh_.symmetry, {x[0][node[0]], x[0][node[1]]}, std::sqrt(dr * dr + dz * dz));
-        const auto impedance = impedances(state, work, face.cell);
-        for (int d = 0; d < dim; ++d)
+        traction_[0][i ? b : a] -= p * area[i] * dz / length;
+        traction_[1][i ? b : a] += p * area[i] * dr / length;
+      }
+  }
+
+  template <int dim>
+  void
+  NodeMotion<dim>::absorb(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work)
+  {
+    const std::array<Index, 2> node{mesh_.cell_node[face.cell * 4 + face.corner[0]],
+                                    mesh_.cell_node[face.cell * 4 + face.corner[1]]};
+    const auto                &x  = work.half_position;
+    const double               dr = x[0][node[1]] - x[0][node[0]], dz = x[1][node[1]] - x[1][node[0]];
+    const auto area      = end_areas(mesh_.symmetry, {x[0][node[0]], x[0][node[1]]}, std::sqrt(dr * dr + dz * dz));
+    const auto impedance = impedances(state, work, face.cell);
+    for (int d = 0; d < dim; ++d)
+      {
+        std::array<double, 2> force;
+        double                absorbing = 0, available = 0;
+        for (int i = 0; i < 2; ++i)
           {
-            std::array<double, 2> force;
-            double                absorbing = 0, available = 0;
-            for (int i = 0; i < 2; ++i)
-              {
-                force[i] = -impedance[d == face.axis ? 0 : 1] * area[i] * state.velocity[d][node[i]];
-                absorbing += std::abs(force[i]);
-                available += work.corner_force[(face.cell * 4 + face.corner[i]) * dim + d];
-              }
-            const double share = absorbed_share(absorbing, std::abs(available));
-            for (int i = 0; i < 2; ++i)
-              traction_[d][node[i]] += share * force[i];
+            force[i] = -impedance[d == face.side / 2 ? 0 : 1] * area[i] * state.velocity[d][node[i]];
+            absorbing += std::abs(force[i]);
+            available += work.corner_force[(face.cell * 4 + face.corner[i]) * dim + d];
           }
+        const double share = absorbed_share(absorbing, std::abs(available));
+        for (int i = 0; i < 2; ++i)
+          traction_[d][node[i]] += share * force[i];
       }
   }
 
@@ -169,6 +196,32 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  NodeMotion<dim>::constrain(const State<dim> &state, double dt, StepWork<dim> &work,
+                             BoundaryExchange<dim> &exchange) const
+  {
+    for (const ConstrainedNode &constraint : constrained_)
+      {
+        const Index node = constraint.node;
+        Vector<dim> x; // at the end of the step, but for the change of velocity in it
+        for (int d = 0; d < dim; ++d)
+          x[d] = state.position[d][node] + dt * state.velocity[d][node];
+        for (int d = 0; d < dim; ++d)
+          if (constraint.side[d] != none)
+            {
+              const double before = state.velocity[d][node];
+              const double after  = ruled_velocity<dim>(boundaries_[constraint.side[d]], d, before, x, state.time + dt);
+              const double impulse   = state.node_mass[node] * (after - work.velocity[d][node]);
+              work.velocity[d][node] = after;
+              if (!constraint.owned || !(state.node_mass[node] > 0))
+                continue;
+              exchange.momentum[d] += impulse;
+              exchange.work += impulse * 0.5 * (before + after);
+            }
+      }
+  }
+
+  template <int dim>
   BoundaryExchange<dim>
   NodeMotion<dim>::move(const State<dim> &state, double dt, StepWork<dim> &work) const
   {
@@ -187,18 +240,7 @@ namespace whipple
       }
 
     BoundaryExchange<dim> exchange;
-    for (const ConstrainedNode &constraint : constrained_)
-      for (int d = 0; d < dim; ++d)
-        if (constraint.fixed[d])
-          {
-            const Index  node      = constraint.node;
-            const double impulse   = state.node_mass[node] * (constraint.velocity[d] - work.velocity[d][node]);
-            work.velocity[d][node] = constraint.velocity[d];
-            if (!constraint.owned || !(state.node_mass[node] > 0))
-              continue;
-            exchange.momentum[d] += impulse;
-            exchange.work += impulse * 0.5 * (state.velocity[d][node] + constraint.velocity[d]);
-          }
+    constrain(state, dt, work, exchange);
 
     for (int d = 0; d < dim; ++d)
       {

@@ -62,6 +62,16 @@ namespace whipple
       return volume - occupied > closure::closed_share * volume;
     }
 
+    template <int dim>
+    Pack::mask_type
+    holds_material(const State<dim> &state, Index first)
+    {
+      Pack mass(0.);
+      for (const MaterialState &material : state.material)
+        mass += load(material.mass, first);
+      return mass > 0.;
+    }
+
     template <Symmetry symmetry, int dim>
     TimeStepLimit
     smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
@@ -70,8 +80,9 @@ namespace whipple
       TimeStepLimit limit{unlimited, "sound", none};
       for (Index first = 0; first < mesh.n_owned; first += pack_size)
         {
-          const Pack c2    = fastest_wave_squared(state, work, first);
-          const auto there = c2 > 0. && lanes_below(first, mesh.n_owned);
+          const Pack c2 = fastest_wave_squared(state, work, first);
+          // cold gas has no sound, but it too must not be squeezed through itself
+          const auto there = holds_material(state, first) && lanes_below(first, mesh.n_owned);
           if (none_of(there))
             continue;
           const geometry::QuadOf<Pack> x          = gather_corners(mesh, state.position, first);
@@ -86,6 +97,7 @@ namespace whipple
               const auto along = viscosity::stretch(d, x, v);
               jump += max(-along.rate * along.length, Pack(0.));
             }
+          jump = max(jump, viscosity::thin_jump(x, v));
           // a cell with open void has no viscosity (corner_forces.cc)
           const Pack damping =
               select(divergence < 0. && jump > 0. && !holds_open_void(state, first),

@@ -233,10 +233,8 @@ namespace whipple
       static bool
       is_held(const Boundaries<dim> &boundaries, std::uint8_t sides, int axis)
       {
-        for (int side : {2 * axis, 2 * axis + 1})
-          if ((sides >> side & 1) && boundaries[side].kind == BoundaryKind::reflecting)
-            return true;
-        return false;
+        const int side = ruling_side<dim>(boundaries, sides, axis);
+        return side != none && boundaries[side].kind == BoundaryKind::reflecting;
       }
 
       const FlatMesh<dim>         &mesh_;

@@ -30,11 +30,12 @@ namespace whipple
     void
     predict(const State<dim> &state, double dt, StepWork<dim> &work) const;
 
-    /// Force of absorbing (Lysmer) sides on their nodes into the object's own array: -rho c v_n and, with
-    /// strength, -rho c_s v_t per unit area of material, but no more than the force of the cell on that face
+    /// Force of sides on their nodes into the object's own array, on the material that touches them.
+    /// Sides with a pressure p: -p n per unit area. Absorbing (Lysmer) sides: -rho c v_n and, with
+    /// strength, -rho c_s v_t per unit area, but no more than the force of the cell on that face
     /// where that is small beside it: what carries no stress leaves freely. Needs work.corner_force.
     void
-    absorb(const State<dim> &state, const StepWork<dim> &work);
+    load_sides(const State<dim> &state, const StepWork<dim> &work);
 
     /// Sum corner forces over nodes (hanging nodes hand theirs to their masters), accelerate, apply the sides,
     /// move: work.velocity, work.mean_velocity, work.position.
@@ -42,30 +43,36 @@ namespace whipple
     move(const State<dim> &state, double dt, StepWork<dim> &work) const;
 
   private:
-    /// A face of a cell on a transmitting side.
-    struct AbsorbingFace
+    /// A face of a cell on a side that absorbs or presses.
+    struct LoadedFace
     {
       Index              cell;
-      int                axis;
-      std::array<int, 2> corner; ///< corners of the cell on the face
+      int                side;
+      std::array<int, 2> corner; ///< corners of the cell on the face, the cell to the left of the way between them
     };
-    /// A node whose velocity a side prescribes.
+    /// A node whose velocity sides prescribe.
     struct ConstrainedNode
     {
-      Index                 node;
-      bool                  owned;    ///< first corner of the node belongs to an owned cell
-      std::array<bool, dim> fixed;    ///< which components
-      Vector<dim>           velocity; ///< to which value
+      Index                node;
+      bool                 owned; ///< first corner of the node belongs to an owned cell
+      std::array<int, dim> side;  ///< that rules each component, `none` if it is free
     };
 
     void
+    absorb(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work);
+    void
+    press(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work);
+    void
     sum_corner_forces(StepWork<dim> &work) const;
+    void
+    constrain(const State<dim> &state, double dt, StepWork<dim> &work, BoundaryExchange<dim> &exchange) const;
 
     const FlatMesh<dim>                 &mesh_;
-    std::vector<AbsorbingFace>           absorbing_;
+    const Boundaries<dim>                boundaries_;
+    std::vector<LoadedFace>              loaded_;
     std::vector<ConstrainedNode>         constrained_;
-    std::vector<Index>                   traction_node_; ///< nodes of absorbing faces, in ascending order
-    std::array<std::vector<double>, dim> traction_;      ///< [n_nodes] Mbar cm^2; empty without absorbing faces
+    std::vector<Index>                   traction_node_; ///< nodes of loaded faces, in ascending order
+    std::array<std::vector<double>, dim> traction_;      ///< [n_nodes] Mbar cm^2; empty without loaded faces
     std::vector<std::uint8_t>            node_owned_;    ///< first corner belongs to an owned cell
   };
 } // namespace whipple

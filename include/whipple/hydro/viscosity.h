@@ -55,6 +55,22 @@ namespace whipple::viscosity
     return max(Number(0.), min(Number(1.), psi));
   }
 
+  /// Velocity jump across the thin direction of a cell, cm/us: the rate at which its plane area shrinks over its
+  /// longest diagonal. In a rectangle never more than the sum of the jumps along its sides; in a rhombus that a shock
+  /// along the diagonal has flattened those all but vanish, because its sides hardly shorten any more, and this one
+  /// does not.
+  template <typename Number>
+  inline Number
+  thin_jump(const geometry::QuadOf<Number> &x, const geometry::QuadOf<Number> &v)
+  {
+    using std::max;
+    using std::sqrt;
+    const Number x30 = x[0][3] - x[0][0], y30 = x[1][3] - x[1][0], x21 = x[0][2] - x[0][1], y21 = x[1][2] - x[1][1];
+    const Number u30 = v[0][3] - v[0][0], w30 = v[1][3] - v[1][0], u21 = v[0][2] - v[0][1], w21 = v[1][2] - v[1][1];
+    const Number shrinking = 0.5 * (y30 * u21 - x30 * w21 + w30 * x21 - u30 * y21);
+    return max(Number(0.), shrinking) / sqrt(max(Number(x30 * x30 + y30 * y30), Number(x21 * x21 + y21 * y21)));
+  }
+
   /// Velocity jumps of a cell summed over its compressed directions, cm/us.
   template <typename Number>
   struct Jumps
@@ -71,6 +87,17 @@ namespace whipple::viscosity
       const Number jump       = select(compressed, Number(-own.length * own.rate), Number(0.));
       limited += jump * (1. - psi);
       raised += jump * (1. + psi);
+    }
+
+    /// Scale the jumps so that sum |du| is `least` or more.
+    void
+    raise_to(const Number &least)
+    {
+      using std::max;
+      const Number sum    = 0.5 * (limited + raised);
+      const Number factor = select(sum > 0., max(Number(1.), Number(least / sum)), Number(1.));
+      limited *= factor;
+      raised *= factor;
     }
 
     /// q = rho sum |du| (1 - psi) [c2 sum |du| (1 + psi) + c1 c], Mbar.
