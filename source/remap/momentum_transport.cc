@@ -22,6 +22,7 @@ namespace whipple
       {
         up_[d].assign(mesh.n_nodes, 0.);
         down_[d].assign(mesh.n_nodes, 0.);
+        gradient_[d].assign(mesh.n_nodes, 0.);
       }
     drained_.reserve(mesh.n_nodes);
     mixed_.reserve(mesh.n_nodes);
@@ -39,40 +40,14 @@ namespace whipple
         for (int d = 0; d < dim; ++d)
           up_[d][n] = down_[d][n] = state.velocity[d][n];
         excess_[n] = 0;
+        if (nodes_.uneven[n])
+          for (int d = 0; d < dim; ++d)
+            gradient_[d][n] = 0;
         if (b.up + b.down + b.aside > mass)
           drained_.push_back(n);
         else if (parameters_.second_order && b.up + b.down > 0)
-          reconstruct(state, axis, n);
+          nodes_.uneven[n] ? reconstruct_uneven(state, axis, n) : reconstruct(state, axis, n);
       }
-  }
-
-  template <int dim>
-  void
-  MomentumTransport<dim>::reconstruct(const State<dim> &state, const int axis, const Index node)
-  {
-    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
-    if (p == node || q == node || !(state.node_mass[p] > 0 && state.node_mass[q] > 0))
-      return;
-    const double up   = dual_.balance[node].up / state.node_mass[node],
-                 down = dual_.balance[node].down / state.node_mass[node];
-    double square     = 0;
-    for (int d = 0; d < dim; ++d)
-      {
-        const double v = state.velocity[d][node], low = v - state.velocity[d][p], high = state.velocity[d][q] - v;
-        // one profile a node: a parabola's part where all leaves through one end
-        const double curved = down == 0 ? curvature_slope(low, high, 1. - up)
-                              : up == 0 ? curvature_slope(high, low, 1. - down)
-                                        : 0.;
-        const double slope  = limited_slope(low, high, 0.5 * (low + high) + curved);
-        up_[d][node]        = v + 0.5 * slope * (1. - up);
-        down_[d][node]      = v - 0.5 * slope * (1. - down);
-        square += 0.25 * slope * slope;
-      }
-    // kinetic energy of the slope in what leaves and what stays, which the node's mean velocity does not have
-    const double rest = std::max(1. - up - down, 0.);
-    excess_[node]     = 0.5 * square *
-                    (up * (1. - up) * (1. - up) + down * (1. - down) * (1. - down) + rest * (up - down) * (up - down)) /
-                    (up + down);
   }
 
   template <int dim>
@@ -103,15 +78,46 @@ namespace whipple
   }
 
   template <int dim>
+  Vector<dim>
+  MomentumTransport<dim>::carried_along(const Index from, const bool up, const double half) const
+  {
+    Vector<dim> velocity;
+    for (int d = 0; d < dim; ++d)
+      velocity[d] = up ? up_[d][from] + gradient_[d][from] * half : down_[d][from] - gradient_[d][from] * half;
+    return velocity;
+  }
+
+  template <int dim>
+  Vector<dim>
+  MomentumTransport<dim>::carried_across(const Index from) const
+  {
+    Vector<dim> velocity;
+    for (int d = 0; d < dim; ++d)
+      velocity[d] = 0.5 * (up_[d][from] + down_[d][from]);
+    return velocity;
+  }
+
+  template <int dim>
   void
   MomentumTransport<dim>::add_flux(const Index from, const std::array<std::vector<double>, dim> &upwind,
                                    const double flux, const double excess, const Vector<dim> &velocity,
                                    Exchange &exchange) const
   {
+    Vector<dim> carried;
+    for (int d = 0; d < dim; ++d)
+      carried[d] = upwind[d][from];
+    add_flux(carried, flux, excess, velocity, exchange);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::add_flux(const Vector<dim> &carried, const double flux, const double excess,
+                                   const Vector<dim> &velocity, Exchange &exchange) const
+  {
     double square = 0;
     for (int d = 0; d < dim; ++d)
       {
-        const double u = upwind[d][from] - velocity[d];
+        const double u = carried[d] - velocity[d];
         exchange.momentum[d] += flux * u;
         square += u * u;
       }
@@ -145,24 +151,27 @@ namespace whipple
   MomentumTransport<dim>::gather_special(const int axis, const Index node, const Index corner_node, const double share,
                                          const Vector<dim> &velocity, Exchange &exchange) const
   {
-    // `below`: whether the other node lies below this one
-    const auto add = [&](const double inwards, const Index other, const bool below) {
-      const auto &upwind = below ? up_ : down_, &own = below ? down_ : up_;
+    const auto add = [&](const double inwards, const Index other, const auto &carried) {
       if (inwards < 0)
-        add_flux(node, own, share * inwards, excess_[node], velocity, exchange);
+        add_flux(carried(node), share * inwards, excess_[node], velocity, exchange);
       else if (inwards > 0 && nodes_.kind[other] != NodeKind::hanging)
-        add_flux(other, upwind, share * inwards, excess_[other], velocity, exchange);
+        add_flux(carried(other), share * inwards, excess_[other], velocity, exchange);
       else if (inwards > 0) // a hanging node gives what its masters have, half each
         for (const Index master : mesh_->master[nodes_.hanging_place[other]])
-          add_flux(master, upwind, 0.5 * share * inwards, 0., velocity, exchange);
+          add_flux(carried(master), 0.5 * share * inwards, excess_[master], velocity, exchange);
     };
     for (Index i = mesh_->node_corner_begin[corner_node]; i < mesh_->node_corner_begin[corner_node + 1]; ++i)
       {
         const Index  corner = mesh_->node_corner[i], c = corner >> 2;
         const int    l = corner >> axis & 1, t = corner >> (1 - axis) & 1;
         const double along = dual_.along[2 * c + t], across = dual_.across[2 * c + l];
-        add(l ? along : -along, mesh_->cell_node[corner ^ (1 << axis)], l);
-        add(t ? across : -across, mesh_->cell_node[corner ^ (2 >> axis)], t);
+        const Index  other = mesh_->cell_node[corner ^ (1 << axis)];
+        const double half  = 0.5 * std::abs(mesh_->node_point[axis][other] - mesh_->node_point[axis][corner_node]);
+        // what flows up leaves the node below, what flows down the one above
+        const bool flows_up = along > 0;
+        add(l ? along : -along, other, [&](Index from) { return carried_along(from, flows_up, half); });
+        add(t ? across : -across, mesh_->cell_node[corner ^ (2 >> axis)],
+            [&](Index from) { return carried_across(from); });
       }
   }
 
@@ -252,26 +261,25 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::constrain(const Index node, Change &change, RemapReport<dim> &report) const
+  MomentumTransport<dim>::constrain(const Index node, const double time, Change &change, RemapReport<dim> &report) const
   {
-    std::array<bool, dim> fixed{};
-    for (int s = 0; s < 2 * dim; ++s)
-      for (int d = 0; d < dim && (mesh_->node_side[node] >> s & 1); ++d)
-        {
-          const Boundary<dim> &boundary = boundaries_[s];
-          const bool           wall     = boundary.kind == BoundaryKind::reflecting && d == s / 2;
-          if (fixed[d] || !(wall || boundary.kind == BoundaryKind::inflow))
-            continue;
-          fixed[d]              = true;
-          const double velocity = wall ? 0. : boundary.velocity[d];
-          change.velocity[d]    = velocity - change.reference[d];
-          if (counts(node))
-            {
-              const double taken = change.exchange.momentum[d] - dual_.balance[node].mass * change.velocity[d];
-              report.side[s].momentum[d] += taken;
-              report.side[s].kinetic += velocity * taken;
-            }
-        }
+    Vector<dim> x;
+    for (int d = 0; d < dim; ++d)
+      x[d] = mesh_->node_point[d][node];
+    for (int d = 0; d < dim; ++d)
+      {
+        const int s = ruling_side<dim>(boundaries_, mesh_->node_side[node], d);
+        if (s == none)
+          continue;
+        const double velocity = ruled_velocity<dim>(boundaries_[s], d, change.reference[d], x, time);
+        change.velocity[d]    = velocity - change.reference[d];
+        if (counts(node))
+          {
+            const double taken = change.exchange.momentum[d] - dual_.balance[node].mass * change.velocity[d];
+            report.side[s].momentum[d] += taken;
+            report.side[s].kinetic += velocity * taken;
+          }
+      }
   }
 
   template <int dim>
@@ -309,7 +317,7 @@ namespace whipple
         Change     change;
         change_of(state, axis, n, drained ? &mixed_[next_drained++] : nullptr, change);
         if (mesh_->node_side[n])
-          constrain(n, change, report);
+          constrain(n, state.time, change, report);
         double loss = 0.5 * change.exchange.square;
         for (int d = 0; d < dim; ++d)
           {

@@ -2,13 +2,30 @@
 #include <whipple/remap/node_topology.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whipple
 {
+  namespace
+  {
+    /// Whether cells of several levels meet at a node.
+    template <int dim>
+    bool
+    meets_levels(const FlatMesh<dim> &mesh, const Index node)
+    {
+      const auto level = [&](Index i) { return mesh.level[mesh.node_corner[i] / FlatMesh<dim>::corners]; };
+      for (Index i = mesh.node_corner_begin[node]; i < mesh.node_corner_begin[node + 1]; ++i)
+        if (level(i) != level(mesh.node_corner_begin[node]))
+          return true;
+      return false;
+    }
+  } // namespace
+
   template <int dim>
   NodeTopology<dim>::NodeTopology(const FlatMesh<dim> &mesh)
     : kind(mesh.n_nodes, NodeKind::interior)
     , hanging_place(mesh.n_nodes, none)
+    , uneven(mesh.n_nodes, 0)
     , hanging_begin_(mesh.n_nodes + 1, 0)
     , on_side_(mesh.n_nodes, 0)
   {
@@ -33,25 +50,32 @@ namespace whipple
         next[axis].resize(mesh.n_nodes);
       }
     for (Index n = 0; n < mesh.n_nodes; ++n)
+      if (hanging_place[n] == none)
+        uneven[n] = !hanging_of(n).empty() || meets_levels(mesh, n);
+    for (Index n = 0; n < mesh.n_nodes; ++n)
       {
         const Index begin = mesh.node_corner_begin[n], end = mesh.node_corner_begin[n + 1];
-        bool        regular = hanging_place[n] == none && hanging_of(n).empty();
+        bool        even = true;
         for (Index i = begin; i < end; ++i)
-          {
-            const Index c = mesh.node_corner[i] / corners;
-            regular       = regular && mesh.level[c] == mesh.level[mesh.node_corner[begin] / corners];
-            for (int k = 0; k < corners; ++k)
-              regular = regular && hanging_place[mesh.cell_node[c * corners + k]] == none;
-          }
-        const bool interior = regular && end - begin == corners && mesh.node_side[n] == 0;
+          for (int k = 0; k < corners; ++k)
+            {
+              const Index near = mesh.cell_node[mesh.node_corner[i] / corners * corners + k];
+              even             = even && hanging_place[near] == none && !uneven[near];
+            }
+        const bool interior = even && end - begin == corners && mesh.node_side[n] == 0;
         kind[n] = hanging_place[n] != none ? NodeKind::hanging : interior ? NodeKind::interior : NodeKind::special;
         for (int axis = 0; axis < dim; ++axis)
           {
             previous[axis][n] = next[axis][n] = n;
-            for (Index i = begin; i < end && regular; ++i)
+            for (Index i = begin; i < end && hanging_place[n] == none; ++i)
               {
-                const Index corner                              = mesh.node_corner[i];
-                (corner >> axis & 1 ? previous : next)[axis][n] = mesh.cell_node[corner ^ (1 << axis)];
+                const Index corner = mesh.node_corner[i], other = mesh.cell_node[corner ^ (1 << axis)];
+                Index      &nearest  = (corner >> axis & 1 ? previous : next)[axis][n];
+                const auto  distance = [&](Index to) {
+                  return std::abs(mesh.node_point[axis][to] - mesh.node_point[axis][n]);
+                };
+                if (nearest == n || distance(other) < distance(nearest))
+                  nearest = other;
               }
           }
       }

@@ -17,6 +17,9 @@ namespace whipple
     /// an empty cell could be too little to divide by.
     constexpr double least_share = 1e-15;
 
+    /// A crumb that fills less than this share of its cell stays there: handed on it would shrink to nothing.
+    constexpr double least_held = 1e-30;
+
     /// The box of the donor that leaves through one of its sides: true volume `share` of the cell, transverse extent
     /// that of the subface, thickness to fit (a quadratic for rings, doc/theory/remap.md).
     template <int dim>
@@ -142,6 +145,35 @@ namespace whipple
       }
   }
 
+  namespace
+  {
+    /// What leaves a cell in a sweep.
+    template <int dim>
+    double
+    outflow(const SweepTopology<dim> &topology, const Index c, const std::vector<double> &flux)
+    {
+      double sum = 0;
+      for (int s = 0; s < 2; ++s)
+        sum += std::max(-flux[topology.lower[s][c]], 0.) + std::max(flux[topology.upper[s][c]], 0.);
+      return sum;
+    }
+
+    /// Nothing leaves a cell where no more than `least` would.
+    template <int dim>
+    void
+    drop_outflow(const SweepTopology<dim> &topology, const Index c, const double least, std::vector<double> &flux)
+    {
+      for (int s = 0; s < 2; ++s)
+        {
+          double &low = flux[topology.lower[s][c]], &high = flux[topology.upper[s][c]];
+          if (low < 0 && -low <= least)
+            low = 0;
+          if (high > 0 && high <= least)
+            high = 0;
+        }
+    }
+  } // namespace
+
   template <int dim>
   void
   VolumeFlux<dim>::limit_donors(const State<dim> &state, const SweepTopology<dim> &topology, RemapReport<dim> &report)
@@ -153,22 +185,21 @@ namespace whipple
           const double held = state.material[m].volume[c];
           if (!(held > 0))
             continue;
-          double given = 0;
-          for (int s = 0; s < 2; ++s)
-            given += std::max(-flux[m][topology.lower[s][c]], 0.) + std::max(flux[m][topology.upper[s][c]], 0.);
-          const double left = held - given;
+          const double given = outflow(topology, c, flux[m]), left = held - given;
           if (!(given > 0))
             continue;
           if (left >= parameters_.flotsam_fraction * state.volume[c])
             {
-              const double least = least_share * state.volume[c];
-              for (int s = 0; s < 2; ++s)
-                for (double *out : {&flux[m][topology.lower[s][c]], &flux[m][topology.upper[s][c]]})
-                  if (std::abs(*out) <= least && (out == &flux[m][topology.lower[s][c]] ? *out < 0 : *out > 0))
-                    *out = 0;
+              drop_outflow(topology, c, least_share * state.volume[c], flux[m]);
               continue;
             }
-          const double scale = held / given;
+          if (held < least_held * state.volume[c])
+            {
+              drop_outflow(topology, c, given, flux[m]);
+              continue;
+            }
+          drop_outflow(topology, c, least_share * given, flux[m]);
+          const double scale = held / outflow(topology, c, flux[m]);
           for (int s = 0; s < 2; ++s)
             {
               double &low = flux[m][topology.lower[s][c]], &high = flux[m][topology.upper[s][c]];

@@ -50,13 +50,35 @@ namespace whipple
 
     void
     upwind_velocities(const State<dim> &state, int axis);
+
+    /// Whether a node has a velocity: it, or both masters of a hanging one, hold mass.
+    bool
+    moves(const State<dim> &state, Index node) const;
+
+    /// Velocities of what leaves a node among equal cells.
     void
     reconstruct(const State<dim> &state, int axis, Index node);
+
+    /// The same where cells of several sizes meet: they leave through faces at different distances.
+    void
+    reconstruct_uneven(const State<dim> &state, int axis, Index node);
+
+    /// Velocity of what leaves a node up or down the axis through the face at a distance `half` of its cell.
+    Vector<dim>
+    carried_along(Index from, bool up, double half) const;
+
+    /// Velocity of what leaves a node across the axis.
+    Vector<dim>
+    carried_across(Index from) const;
+
     void
     mix_drained_nodes(const State<dim> &state, int axis);
     void
     add_flux(Index from, const std::array<std::vector<double>, dim> &upwind, double flux, double excess,
              const Vector<dim> &velocity, Exchange &exchange) const;
+    void
+    add_flux(const Vector<dim> &carried, double flux, double excess, const Vector<dim> &velocity,
+             Exchange &exchange) const;
     void
     gather_interior(int axis, Index node, const Vector<dim> &velocity, Exchange &exchange) const;
     void
@@ -72,7 +94,7 @@ namespace whipple
     void
     change_of(const State<dim> &state, int axis, Index node, const Vector<dim> *mixed, Change &change) const;
     void
-    constrain(Index node, Change &change, RemapReport<dim> &report) const;
+    constrain(Index node, double time, Change &change, RemapReport<dim> &report) const;
     void
     book_loss(Index node, int axis, double loss, RemapReport<dim> &report) const;
     void
@@ -97,10 +119,12 @@ namespace whipple
     const NodeTopology<dim> nodes_;
     DualFlux<dim>           dual_;
 
-    std::array<std::vector<double>, dim> up_, down_;     ///< velocity of what leaves a node along + axis, - axis
-    std::vector<double>                  excess_;        ///< kinetic energy a gram that what leaves does not carry on
-    std::vector<Index>                   drained_;       ///< nodes that give away more than they held
-    std::vector<Vector<dim>>             mixed_;         ///< their velocities after mixing with the inflow
+    std::array<std::vector<double>, dim> up_, down_; ///< velocity of what leaves a node along + axis, - axis; of an
+                                                     ///< uneven node without gradient_ times the distance of the face
+    std::array<std::vector<double>, dim> gradient_;  ///< of uneven nodes, along the axis, 1/us; others 0
+    std::vector<double>                  excess_;    ///< kinetic energy a gram that what leaves does not carry on
+    std::vector<Index>                   drained_;   ///< nodes that give away more than they held
+    std::vector<Vector<dim>>             mixed_;     ///< their velocities after mixing with the inflow
     std::vector<double>                  specific_loss_; ///< [node] kinetic energy lost a gram of the node
   };
 } // namespace whipple

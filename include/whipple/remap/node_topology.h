@@ -14,8 +14,8 @@ namespace whipple
   /// What kind of gather a node needs when momentum moves.
   enum class NodeKind : std::uint8_t
   {
-    interior, ///< equal cells all around, no hanging neighbour, not on a side
-    special,  ///< master or neighbour of a hanging node, or at the end of the mesh
+    interior, ///< equal cells all around, no uneven or hanging neighbour, not on a side
+    special,  ///< uneven, or neighbour of an uneven or hanging node, or at the end of the mesh
     hanging   ///< moves with its masters
   };
 
@@ -28,8 +28,11 @@ namespace whipple
     std::vector<NodeKind> kind;
     std::vector<Index>    hanging_place; ///< [node] place in FlatMesh::hanging, else none
 
-    /// [axis][node] next node along -/+ axis; the node itself at the end of the mesh and where levels or hanging
-    /// nodes meet: no slope there.
+    /// [node] cells of several sizes meet here, or other nodes hang on it (it does not hang itself).
+    std::vector<std::uint8_t> uneven;
+
+    /// [axis][node] nearest node along -/+ axis, which may hang; the node itself at the end of the mesh and for hanging
+    /// nodes: no slope there.
     std::array<std::vector<Index>, dim> previous, next;
 
     /// [axis] cells with two subfaces on a side normal to the axis.

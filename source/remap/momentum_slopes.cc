@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/remap/limited_slope.h>
+#include <whipple/remap/momentum_transport.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whipple
+{
+  template <int dim>
+  bool
+  MomentumTransport<dim>::moves(const State<dim> &state, const Index node) const
+  {
+    if (nodes_.kind[node] != NodeKind::hanging)
+      return state.node_mass[node] > 0;
+    const auto &master = mesh_->master[nodes_.hanging_place[node]];
+    return state.node_mass[master[0]] > 0 && state.node_mass[master[1]] > 0;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct(const State<dim> &state, const int axis, const Index node)
+  {
+    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
+    if (p == node || q == node || !moves(state, p) || !moves(state, q))
+      return;
+    const double up   = dual_.balance[node].up / state.node_mass[node],
+                 down = dual_.balance[node].down / state.node_mass[node];
+    double square     = 0;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double v = state.velocity[d][node], low = v - state.velocity[d][p], high = state.velocity[d][q] - v;
+        // one profile a node: a parabola's part where all leaves through one end
+        const double curved = down == 0 ? curvature_slope(low, high, 1. - up)
+                              : up == 0 ? curvature_slope(high, low, 1. - down)
+                                        : 0.;
+        const double slope  = limited_slope(low, high, 0.5 * (low + high) + curved);
+        up_[d][node]        = v + 0.5 * slope * (1. - up);
+        down_[d][node]      = v - 0.5 * slope * (1. - down);
+        square += 0.25 * slope * slope;
+      }
+    // kinetic energy of the slope in what leaves and what stays, which the node's mean velocity does not have
+    const double rest = std::max(1. - up - down, 0.);
+    excess_[node]     = 0.5 * square *
+                    (up * (1. - up) * (1. - up) + down * (1. - down) * (1. - down) + rest * (up - down) * (up - down)) /
+                    (up + down);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct_uneven(const State<dim> &state, const int axis, const Index node)
+  {
+    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
+    if (p == node || q == node || !moves(state, p) || !moves(state, q))
+      return;
+    // half the longest edge to either side: how far away the farthest face of what belongs to the node is
+    std::array<double, 2> half{0., 0.};
+    for (Index i = mesh_->node_corner_begin[node]; i < mesh_->node_corner_begin[node + 1]; ++i)
+      {
+        const Index  corner = mesh_->node_corner[i];
+        const double edge =
+            std::abs(mesh_->node_point[axis][mesh_->cell_node[corner ^ (1 << axis)]] - mesh_->node_point[axis][node]);
+        double &longest = half[1 - (corner >> axis & 1)];
+        longest         = std::max(longest, 0.5 * edge);
+      }
+    const double x = mesh_->node_point[axis][node], below = x - mesh_->node_point[axis][p],
+                 above = mesh_->node_point[axis][q] - x;
+    const double up    = dual_.balance[node].up / state.node_mass[node],
+                 down = dual_.balance[node].down / state.node_mass[node], rest = 1. - up - down;
+    // how far what leaves has moved
+    const double swept_up = 0.5 * up * (half[0] + half[1]), swept_down = 0.5 * down * (half[0] + half[1]);
+    double       square = 0;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double v = state.velocity[d][node], low = v - state.velocity[d][p], high = state.velocity[d][q] - v;
+        if (!(low * high > 0 && rest > 0))
+          continue;
+        // parabola through the three nodes; no value beyond the neighbours', neither in what leaves nor in what stays
+        const double room     = std::min(std::abs(low), std::abs(high));
+        const double slope    = (low * above / below + high * below / above) / (below + above);
+        const double taken    = std::abs(up * (half[1] - swept_up) - down * (half[0] - swept_down));
+        double       steepest = std::min(std::abs(low) / half[0], std::abs(high) / half[1]);
+        if (taken * steepest > rest * room)
+          steepest = rest * room / taken;
+        const double gradient = std::copysign(std::min(std::abs(slope), steepest), low);
+        gradient_[d][node]    = gradient;
+        up_[d][node]          = v - gradient * swept_up;
+        down_[d][node]        = v + gradient * swept_down;
+        const double gives_up = gradient * (half[1] - swept_up), gives_down = -gradient * (half[0] - swept_down);
+        const double stays = (up * gives_up + down * gives_down) / rest;
+        square += up * gives_up * gives_up + down * gives_down * gives_down + rest * stays * stays;
+      }
+    excess_[node] = 0.5 * square / (up + down);
+  }
+
+  template bool
+  MomentumTransport<2>::moves(const State<2> &, Index) const;
+  template void
+  MomentumTransport<2>::reconstruct(const State<2> &, int, Index);
+  template void
+  MomentumTransport<2>::reconstruct_uneven(const State<2> &, int, Index);
+} // namespace whipple
