@@ -29,7 +29,8 @@ namespace whipple::sections
     SceneSection section(parameters, path);
     section.declare("Finest cell", "", "edge of the finest cells");
     section.declare("Levels", "5", "refinement levels below the root cells: root cell = finest cell * 2^levels");
-    section.declare("Refinement", "adaptive", "adaptive: follows the material; uniform: finest cells everywhere");
+    section.declare("Refinement", "adaptive",
+                    "adaptive: follows the material; uniform: finest cells everywhere; region: finest in a fixed box");
     section.declare("Buffer", "8", "finest cells kept around material that needs the finest level");
     section.declare("Regrid interval", "10", "steps between regrids");
     section.declare("Distended threshold", "0.1",
@@ -37,7 +38,37 @@ namespace whipple::sections
     section.declare("Distended ratio", "0.25", "and one level more for each factor of this below the threshold");
     section.declare("Quiet levels", "2", "levels that solid material gives up where nothing has reached it yet");
     section.declare("Quiet velocity", "1 m/s", "velocity, and stress over impedance, below which nothing has");
+    section.declare("Smooth levels", "0", "levels that material gives up where its state hardly changes over a cell");
+    section.declare(
+        "Smooth change", "1 %",
+        "change of density, pressure, momentum density over a cell, as a part of the largest in the scene, that is "
+        "hardly one");
+    section.declare("Region", "", "with Refinement = region: 'lower corner, upper corner' of the box of finest cells");
+    section.declare("Region levels", "1", "with Refinement = region: levels that cells outside the box give up");
   }
+
+  namespace
+  {
+    /// The box of finest cells of Refinement::region.
+    void
+    read_region(const SceneSection &section, MeshControl &mesh, int max_level)
+    {
+      if (mesh.refinement != Refinement::region)
+        {
+          if (section.given("Region"))
+            section.reject("Region", "needs Refinement = region");
+          return;
+        }
+      if (!section.given("Region"))
+        section.reject("Region", "must be given with Refinement = region, for example '0 cm, 0 cm, 1 cm, 2 cm'");
+      const auto corners = section.vector<4>("Region", units::length);
+      mesh.region        = {{{corners[0], corners[1]}}, {{corners[2], corners[3]}}};
+      for (int d = 0; d < 2; ++d)
+        if (!(mesh.region.upper[d] > mesh.region.lower[d]))
+          section.reject("Region", "the upper corner (last two) must lie above the lower corner (first two)");
+      mesh.region_levels = section.integer("Region levels", 0, max_level);
+    }
+  } // namespace
 
   template <int dim>
   void
@@ -69,13 +100,17 @@ namespace whipple::sections
       }
 
     scene.mesh.refinement = section.choice<Refinement>(
-        "Refinement", {{"adaptive", Refinement::adaptive}, {"uniform", Refinement::uniform}});
+        "Refinement",
+        {{"adaptive", Refinement::adaptive}, {"uniform", Refinement::uniform}, {"region", Refinement::region}});
     scene.mesh.buffer         = section.integer("Buffer", 1, 64);
     scene.mesh.regrid_steps   = section.integer("Regrid interval", 1, 1000);
     scene.mesh.solid_fraction = section.between("Distended threshold", units::number, 0, 1);
     scene.mesh.solid_ratio    = section.between("Distended ratio", units::number, 1e-3, 0.9);
     scene.mesh.quiet_levels   = section.integer("Quiet levels", 0, max_levels);
     scene.mesh.quiet_velocity = section.positive("Quiet velocity", units::velocity);
+    scene.mesh.smooth_levels  = section.integer("Smooth levels", 0, max_levels);
+    scene.mesh.smooth_change  = section.between("Smooth change", units::number, 1e-9, 1);
+    read_region(section, scene.mesh, lattice.max_level);
   }
 
   template void

@@ -16,7 +16,7 @@ namespace whipple
   }
 
   template <int dim>
-  double
+  GatherReport<dim>
   unpack_leaves(const FieldLayout &fields, const CellPacketLayout<dim> &layout, const std::vector<CellPacket> &packets,
                 const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain)
   {
@@ -26,8 +26,11 @@ namespace whipple
       unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
     exchange_cells(fields, domain.view->halo, domain.state);
     exchange_corners(domain.view->halo, corners);
-    const GatherReport<dim> report = gather_velocities(mesh, boundaries, corners, loss, domain.state);
-    return sum_over_ranks(report.kinetic_loss, domain.communicator());
+    GatherReport<dim> report = gather_velocities(mesh, boundaries, corners, loss, domain.state);
+    report.kinetic_loss      = sum_over_ranks(report.kinetic_loss, domain.communicator());
+    for (double &impulse : report.wall_impulse)
+      impulse = sum_over_ranks(impulse, domain.communicator());
+    return report;
   }
 
   template <int dim>
@@ -50,7 +53,7 @@ namespace whipple
 
   template void
   clear_state(const FieldLayout &, Domain<2> &);
-  template double
+  template GatherReport<2>
   unpack_leaves(const FieldLayout &, const CellPacketLayout<2> &, const std::vector<CellPacket> &,
                 const Boundaries<2> &, KineticLoss, Domain<2> &);
   template void

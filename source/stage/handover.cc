@@ -30,6 +30,28 @@ namespace whipple
       return box;
     }
 
+    /// Move the nodes of a fresh state to where the scene's mesh map starts them.
+    template <int dim>
+    void
+    map_nodes(const Scene<dim> &scene, Domain<dim> &domain)
+    {
+      const FlatMesh<dim> &mesh  = domain.view->mesh;
+      State<dim>          &state = domain.state;
+      for (Index n = 0; n < mesh.n_nodes; ++n)
+        {
+          Vector<dim> x;
+          for (int d = 0; d < dim; ++d)
+            x[d] = mesh.node_point[d][n];
+          x = mapped_point(scene.mesh_map, scene.lattice.origin, scene.upper_corner(), x);
+          for (int d = 0; d < dim; ++d)
+            state.position[d][n] = x[d];
+        }
+      for (std::size_t h = 0; h < mesh.hanging.size(); ++h)
+        for (auto &x : state.position)
+          x[mesh.hanging[h]] = 0.5 * (x[mesh.master[h][0]] + x[mesh.master[h][1]]);
+      agree(domain.communicator(), [&] { initialise_geometry(mesh, state); });
+    }
+
     template <int dim>
     double
     solid_fraction(const CellPacketLayout<dim> &layout, const CellPacket &packet)
@@ -62,7 +84,7 @@ namespace whipple
       lay_down(stage, domain, ledger);
     else if (!stage.introduces.empty())
       {
-        ledger.convert("regrid", regridding_.regrid(domain, KineticLoss::heat, stage.introduces));
+        ledger.gathered("regrid", regridding_.regrid(domain, KineticLoss::heat, stage.introduces), KineticLoss::heat);
         paint(stage, domain, ledger);
       }
     if (stage.mode == StageMode::lagrangian)
@@ -74,9 +96,12 @@ namespace whipple
   Handover<dim>::start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
     RefinementMap<dim> map(scene_.lattice);
-    request_bodies(scene_, std::span<const std::size_t>(stage.introduces), map);
+    request_bodies(scene_, stage.mode == StageMode::eulerian ? &regridding_.need() : nullptr,
+                   std::span<const std::size_t>(stage.introduces), map);
     map.synchronise(domain.communicator());
     regridding_.build(domain, map);
+    if (scene_.mesh_map != MeshMap::none)
+      map_nodes(scene_, domain);
     paint(stage, domain, ledger);
   }
 
@@ -114,10 +139,10 @@ namespace whipple
         for (int d = 0; d < dim; ++d)
           inside = inside && box[1][d] > scene_.lattice.origin[d] && box[0][d] < upper[d];
         if (inside)
-          map.request(regridding_.wanted_level(solid_fraction(layout, element.packet)), box[0], box[1],
+          map.request(regridding_.need().of_solid_fraction(solid_fraction(layout, element.packet)), box[0], box[1],
                       scene_.mesh.buffer);
       }
-    request_bodies(scene_, std::span<const std::size_t>(stage.introduces), map);
+    request_bodies(scene_, &regridding_.need(), std::span<const std::size_t>(stage.introduces), map);
     map.synchronise(communicator);
     regridding_.build(domain, map);
     paint(stage, domain, ledger);
@@ -126,7 +151,8 @@ namespace whipple
         to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
                     scene_.boundaries, stage.lost_kinetic_energy, domain.state);
     ledger.leave(report.left_domain);
-    ledger.lose_kinetic("projection", report.kinetic_loss, stage.lost_kinetic_energy);
+    ledger.gathered("projection", GatherReport<dim>{report.kinetic_loss, report.wall_impulse},
+                    stage.lost_kinetic_energy);
   }
 
   template <int dim>
@@ -169,7 +195,10 @@ namespace whipple
     domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
     domain.view->halo.exchange(
         {}, std::vector<std::vector<double> *>{&domain.state.velocity[0], &domain.state.velocity[1]});
-    ledger.lose_kinetic("projection", sum_over_ranks(report.kinetic_loss, communicator), stage.lost_kinetic_energy);
+    GatherReport<dim> gathered{sum_over_ranks(report.kinetic_loss, communicator), report.wall_impulse};
+    for (double &impulse : gathered.wall_impulse)
+      impulse = sum_over_ranks(impulse, communicator);
+    ledger.gathered("projection", gathered, stage.lost_kinetic_energy);
     if (select)
       spread(stage, domain, ledger);
   }
@@ -199,9 +228,9 @@ namespace whipple
     domain.view =
         domain.forest.flatten(active, stage.cohesion == Cohesion::bonded ? halo_width<dim> : 0, stage.cohesion);
     clear_state(layout_, domain);
-    ledger.lose_kinetic("projection",
-                        unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain),
-                        stage.lost_kinetic_energy);
+    ledger.gathered("projection",
+                    unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain),
+                    stage.lost_kinetic_energy);
   }
 
   template class Handover<2>;

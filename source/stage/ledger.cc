@@ -64,7 +64,8 @@ namespace whipple
     result.axial_momentum =
         relative(present.momentum[axial] + gone.momentum[axial] - introduced_.momentum[axial], momentum_scale);
     result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(),
-                             std::max(introduced_.kinetic_energy, std::abs(introduced_.internal_energy)));
+                             std::max({introduced_.kinetic_energy, std::abs(introduced_.internal_energy),
+                                       std::abs(gone.total_energy())})); // pistons bring in more than bodies at rest
     return result;
   }
 
@@ -77,6 +78,16 @@ namespace whipple
     result.axial_momentum = std::abs(result.axial_momentum);
     result.energy         = std::abs(result.energy);
     return result;
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::gathered(const std::string &cause, const GatherReport<dim> &report, KineticLoss loss)
+  {
+    lose_kinetic(cause, report.kinetic_loss, loss);
+    ConservedTotals<dim> walls;
+    walls.momentum = report.wall_impulse;
+    leave(walls);
   }
 
   template <int dim>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/stage/collective.h>
+#include <whipple/stage/initial_state.h>
 #include <whipple/stage/painting.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace whipple
@@ -33,13 +36,20 @@ namespace whipple
       return x;
     }
 
+    template <int dim>
+    bool
+    enters_exact(const Body<dim> &body)
+    {
+      return body.initial_state == InitialState::exact;
+    }
+
     /// Add one body to one cell; returns the mass added.
     template <int dim>
     double
-    paint_cell(const Body<dim> &body, int tag, double volume, Index c, MaterialState &m)
+    paint_cell(const CellFilling<dim> &filling, int tag, double volume, Index c, MaterialState &m)
     {
-      const double mass = body.density * volume, total = m.mass[c] + mass;
-      m.energy[c] += (body.energy - m.energy[c]) * mass / total;
+      const double mass = filling.density * volume, total = m.mass[c] + mass;
+      m.energy[c] += (filling.energy - m.energy[c]) * mass / total;
       for (std::size_t f = 0; f < m.fields.size(); ++f)
         if (m.fields[f].description.carrier == Carrier::mass)
           {
@@ -49,20 +59,30 @@ namespace whipple
       m.volume[c] += volume;
       m.mass[c] = total;
       // a single body keeps its density to the last bit
-      m.density[c] = m.density[c] == 0. || m.density[c] == body.density ? body.density : total / m.volume[c];
+      m.density[c] = m.density[c] == 0. || m.density[c] == filling.density ? filling.density : total / m.volume[c];
       return mass;
     }
 
-    /// Mix a body's velocity into the corners of a cell in which it now has that share of the mass.
+    template <int dim>
+    CellFilling<dim>
+    uniform_filling(const Body<dim> &body)
+    {
+      CellFilling<dim> filling{body.density, body.energy, {}};
+      filling.velocity.fill(body.velocity);
+      return filling;
+    }
+
+    /// Mix a body's velocities into the corners of a cell in which it now has that share of the mass.
     template <int dim>
     void
-    blend_velocity(const Vector<dim> &velocity, double share, Index c, CornerVelocities<dim> &corners)
+    blend_velocity(const CellFilling<dim> &filling, double share, Index c, CornerVelocities<dim> &corners)
     {
       for (int d = 0; d < dim; ++d)
         for (int k = 0; k < FlatMesh<dim>::corners; ++k)
           {
-            double &u = corners.velocity[d][c * FlatMesh<dim>::corners + k];
-            u         = share == 1. ? velocity[d] : u + share * (velocity[d] - u);
+            double      &u = corners.velocity[d][c * FlatMesh<dim>::corners + k];
+            const double v = filling.velocity[k][d];
+            u              = share == 1. ? v : u + share * (v - u);
           }
     }
 
@@ -99,58 +119,110 @@ namespace whipple
     }
   } // namespace
 
+  namespace
+  {
+    /// Whether a box of lattice coordinates, widened by `margin` as far as the domain reaches, lies inside a shape.
+    template <int dim>
+    bool
+    is_interior(const Lattice<dim> &lattice, const Shape<dim> &shape, LatticePoint<dim> lower, LatticePoint<dim> upper,
+                int margin)
+    {
+      for (int d = 0; d < dim; ++d)
+        {
+          lower[d] = std::max(lower[d] - margin, 0);
+          upper[d] = std::min(upper[d] + margin, lattice.finest(d));
+        }
+      const Vector<dim> from = position<dim>(lattice, lower), to = position<dim>(lattice, upper);
+      const double      whole = body_volume<dim>(lattice.symmetry, Box<dim>{from, to}, from, to);
+      return body_volume<dim>(lattice.symmetry, shape, from, to) > (1. - 1e-9) * whole;
+    }
+  } // namespace
+
   template <int dim>
   void
-  request_bodies(const Scene<dim> &scene, std::span<const std::size_t> bodies, RefinementMap<dim> &map)
+  request_bodies(const Scene<dim> &scene, const LevelNeed<dim> *need, std::span<const std::size_t> bodies,
+                 RefinementMap<dim> &map)
   {
     static_assert(dim == 2);
     const Lattice<dim> &lattice = scene.lattice;
-    const int           block   = lattice.extent(std::max(lattice.max_level - 2, 0));
     for (const std::size_t b : bodies)
       {
-        const Box<dim> box = extent(scene.bodies[b].shape);
-        const auto     i   = covered_range(lattice, box, 0, block);
-        const auto     j   = covered_range(lattice, box, 1, block);
+        if (const auto &deposit = scene.bodies[b].deposit)
+          map.request(lattice.max_level, deposit->point, deposit->point, scene.mesh.buffer);
+        const int      level  = need ? need->of_body(scene.bodies[b]) : lattice.max_level;
+        const int      inside = need ? need->inside_body(scene.bodies[b]) : level;
+        const int      block  = lattice.extent(std::max(level - 2, 0));
+        const int      margin = scene.mesh.buffer * lattice.extent(level);
+        const Box<dim> box    = extent(scene.bodies[b].shape);
+        const auto     i      = covered_range(lattice, box, 0, block);
+        const auto     j      = covered_range(lattice, box, 1, block);
         for (int x = i[0]; x < i[1]; x += block)
           for (int y = j[0]; y < j[1]; y += block)
             {
               const LatticePoint<dim> lower{{x, y}}, upper{{x + block, y + block}};
               if (body_volume<dim>(lattice.symmetry, scene.bodies[b].shape, position<dim>(lattice, lower),
                                    position<dim>(lattice, upper)) > 0)
-                map.request(lattice.max_level, lower, upper, scene.mesh.buffer);
+                map.request(inside < level && is_interior<dim>(lattice, scene.bodies[b].shape, lower, upper, margin)
+                                ? inside
+                                : level,
+                            lower, upper, scene.mesh.buffer);
             }
       }
   }
+
+  namespace
+  {
+    /// True volume of the part of a cell that a body takes.
+    template <int dim>
+    double
+    volume_in_cell(const Scene<dim> &scene, const Body<dim> &body, const FlatMesh<dim> &mesh, const State<dim> &state,
+                   Index c)
+    {
+      Vector<dim> lower, upper;
+      for (int d = 0; d < dim; ++d)
+        {
+          lower[d] = mesh.lower[d][c];
+          upper[d] = lower[d] + mesh.size[c];
+        }
+      // on a mapped mesh bodies are cut on the lattice
+      const double volume = scene.mesh_map == MeshMap::none
+                                ? body_volume<dim>(mesh.symmetry, body.shape, lower, upper)
+                                : body_volume<dim>(Symmetry::planar, body.shape, lower, upper) /
+                                      (mesh.size[c] * mesh.size[c]) * state.volume[c];
+      // a cell that is full but for the round-off of the cut is full
+      return std::abs(volume - state.volume[c]) < 1e-10 * state.volume[c] ? state.volume[c] : volume;
+    }
+  } // namespace
 
   template <int dim>
   GatherReport<dim>
   paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
                const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state)
   {
-    CornerVelocities<dim> velocities = corner_velocities(mesh, state);
-    for (Index c = 0; c < mesh.n_cells; ++c)
-      {
-        Vector<dim> lower, upper;
-        for (int d = 0; d < dim; ++d)
-          {
-            lower[d] = mesh.lower[d][c];
-            upper[d] = lower[d] + mesh.size[c];
-          }
+    CornerVelocities<dim>            velocities = corner_velocities(mesh, state);
+    std::optional<ExactFilling<dim>> exact;
+    std::vector<std::uint8_t>        exact_only(mesh.n_cells, 0);
+    if (std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) { return enters_exact(scene.bodies[b]); }))
+      exact.emplace(scene, mesh, state);
+    agree(communicator, [&] {
+      for (Index c = 0; c < mesh.n_cells; ++c)
         for (const std::size_t b : bodies)
           {
             const Body<dim> &body   = scene.bodies[b];
-            double           volume = body_volume<dim>(mesh.symmetry, body.shape, lower, upper);
-            // a cell that is full but for the round-off of the cut is full
-            if (std::abs(volume - state.volume[c]) < 1e-10 * state.volume[c])
-              volume = state.volume[c];
+            const double     volume = volume_in_cell(scene, body, mesh, state, c);
             if (volume <= 0)
               continue;
-            const double before = cell_mass(state, c);
-            const double added =
-                paint_cell(body, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
-            blend_velocity<dim>(body.velocity, added / (before + added), c, velocities);
+            const bool             is_exact = enters_exact(body);
+            const CellFilling<dim> filling  = is_exact ? exact->fill(body, state, c) : uniform_filling(body);
+            const double           before   = cell_mass(state, c);
+            const double           added =
+                paint_cell(filling, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
+            blend_velocity<dim>(filling, added / (before + added), c, velocities);
+            exact_only[c] = is_exact && before == 0.;
           }
-      }
+    });
+    if (exact)
+      exact->add_hanging_energy(state, exact_only, velocities);
     for (const std::size_t b : bodies)
       if (scene.bodies[b].deposit)
         deposit_energy(scene.bodies[b], layout.body_material[b], mesh, communicator, state);
@@ -158,7 +230,7 @@ namespace whipple
   }
 
   template void
-  request_bodies(const Scene<2> &, std::span<const std::size_t>, RefinementMap<2> &);
+  request_bodies(const Scene<2> &, const LevelNeed<2> *, std::span<const std::size_t>, RefinementMap<2> &);
   template GatherReport<2>
   paint_bodies(const Scene<2> &, const FieldLayout &, std::span<const std::size_t>, const FlatMesh<2> &, MPI_Comm,
                State<2> &);

@@ -21,6 +21,9 @@ namespace whipple
     constexpr int    snapshot_steps = 10;
     constexpr int    most_retries   = 3;
     constexpr double retry_factor   = 0.5;
+
+    /// Part of the active cells that coarsening must save to be worth a regrid of its own.
+    constexpr double worthwhile_spare = 0.2;
   } // namespace
 
   template <int dim>
@@ -48,6 +51,7 @@ namespace whipple
     cells_                   = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
     record_.active_cells_max = std::max(record_.active_cells_max, cells_);
     since_regrid_            = 0;
+    spare_after_regrid_      = -1;
   }
 
   template <int dim>
@@ -55,7 +59,7 @@ namespace whipple
   StageLoop<dim>::regrid(Domain<dim> &domain, Ledger<dim> &ledger)
   {
     const KineticLoss loss = stage_.lost_kinetic_energy;
-    ledger.lose_kinetic("regrid", regridding_.regrid(domain, loss), loss);
+    ledger.gathered("regrid", regridding_.regrid(domain, loss), loss);
     new_mesh(domain);
     ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "a regrid", round_off);
   }
@@ -78,8 +82,13 @@ namespace whipple
   {
     if (since_regrid_ < scene_.mesh.regrid_steps)
       return false;
-    since_regrid_ = 0; // or ask again after as many steps
-    return !regridding_.serves(domain);
+    since_regrid_                           = 0; // or ask again after as many steps
+    const typename Regridding<dim>::Fit fit = regridding_.fit(domain);
+    // balance between neighbours keeps some cells finer than needed: only what is more than after the last regrid
+    // counts
+    if (spare_after_regrid_ < 0)
+      spare_after_regrid_ = fit.spare;
+    return !fit.serves || fit.spare > spare_after_regrid_ + worthwhile_spare;
   }
 
   template <int dim>

@@ -33,9 +33,9 @@ namespace whipple
   clear_state(const FieldLayout &layout, Domain<dim> &domain);
 
   /// Fill a cleared state from the packets of this rank's leaves: cells, halo, then nodes. Collective.
-  /// @returns kinetic energy that velocity averaging turned into heat (or dropped), all ranks, Mbar cm^3
+  /// @returns what the averaging of velocities lost and the walls took, all ranks
   template <int dim>
-  double
+  GatherReport<dim>
   unpack_leaves(const FieldLayout &fields, const CellPacketLayout<dim> &layout, const std::vector<CellPacket> &packets,
                 const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain);
 

@@ -42,6 +42,11 @@ namespace whipple
     void
     lose_kinetic(const std::string &cause, double energy, KineticLoss loss);
 
+    /// What an averaging of velocities onto nodes did (all ranks): the kinetic energy it lost, and the impulse that
+    /// walls took.
+    void
+    gathered(const std::string &cause, const GatherReport<dim> &report, KineticLoss loss);
+
     /// Compare the books with what is present.
     /// @param tolerance largest allowed change of the imbalance since the last call, relative to what was
     ///                  introduced (mass; axial momentum scale; energy)

@@ -5,6 +5,7 @@
 #include <whipple/remap/directional_remap.h>
 #include <whipple/scene/scene.h>
 #include <whipple/stage/domain.h>
+#include <whipple/stage/level_need.h>
 
 namespace whipple
 {
@@ -20,34 +21,32 @@ namespace whipple
   public:
     Regridding(const Scene<dim> &scene, const FieldLayout &layout);
 
-    /// Level that material of a solid fraction s = sum V_m (1 - phi_m) / sum V_m needs: the finest if it is dense,
-    /// whatever part of the cell it fills, one level less below MeshControl::solid_fraction, one more for each factor
-    /// solid_ratio.
-    int
-    wanted_level(double solid_fraction) const;
-
-    /// Solid fraction of the material in a cell, 1 without voids, 0 without material.
-    static double
-    solid_fraction(const State<dim> &state, Index cell);
-
-    /// Whether nothing has reached a cell yet: solid without pores, at rest and free of stress (MeshControl). Its state
-    /// is uniform and its interface plane, so coarse cells hold it as well as fine ones.
-    bool
-    is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell) const;
+    /// What level what needs.
+    const LevelNeed<dim> &
+    need() const
+    {
+      return need_;
+    }
 
     /// Refine the forest to a synchronised map, without contents, and flatten what the map touches.
     void
     build(Domain<dim> &domain, const RefinementMap<dim> &map) const;
 
-    /// Whether the mesh still serves: every cell has the level it needs, and active cells around it, within half the
-    /// buffer. Collective. A regrid costs as much as dozens of steps; this costs less than one.
-    bool
-    serves(const Domain<dim> &domain) const;
+    /// How the mesh fits what it holds.
+    struct Fit
+    {
+      bool   serves = true; ///< every cell has the level it needs, and active cells around it, within half the buffer
+      double spare  = 0;    ///< part of the active cells that a mesh no finer than needed would save
+    };
+
+    /// Collective. A regrid costs as much as dozens of steps; this costs less than one.
+    Fit
+    fit(const Domain<dim> &domain) const;
 
     /// Follow the material: refine, coarsen and repartition with all contents, flatten anew.
     /// @param entering bodies about to be painted, for which the mesh is prepared as well
-    /// @returns kinetic energy that velocity averaging turned into heat (or dropped), all ranks, Mbar cm^3
-    double
+    /// @returns what the averaging of velocities lost and the walls took, all ranks
+    GatherReport<dim>
     regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering = {}) const;
 
     /// Cells next to the edge of the active region (and their neighbours): no material may be in them when a step
@@ -66,6 +65,6 @@ namespace whipple
 
     const Scene<dim>  &scene_;
     const FieldLayout &layout_;
-    int                quiet_levels_; ///< that undisturbed material gives up
+    LevelNeed<dim>     need_;
   };
 } // namespace whipple

@@ -70,12 +70,13 @@ namespace whipple
     Snapshot                    snapshot_;
     AgreedTimeStep              limit_{};
     double                      wall_start_;
-    double                      end_time_     = 0; ///< us; of stages that end at a time
-    double                      start_point_  = 0; ///< cm; foremost point at the start
-    double                      last_dt_      = 0; ///< us; 0 before the first step
-    double                      caution_      = 1; ///< factor on the time step after a retry
-    long                        cells_        = 0; ///< active cells of all ranks
-    long                        since_regrid_ = 0;
-    int                         retries_      = 0; ///< since the last snapshot
+    double                      end_time_           = 0; ///< us; of stages that end at a time
+    double                      start_point_        = 0; ///< cm; foremost point at the start
+    double                      last_dt_            = 0; ///< us; 0 before the first step
+    double                      caution_            = 1; ///< factor on the time step after a retry
+    long                        cells_              = 0; ///< active cells of all ranks
+    long                        since_regrid_       = 0;
+    double                      spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
+    int                         retries_            = 0;  ///< since the last snapshot
   };
 } // namespace whipple
