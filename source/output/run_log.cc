@@ -3,6 +3,7 @@
 #include <deal.II/base/vectorization.h>
 
 #include <whipple/error.h>
+#include <whipple/output/duration.h>
 #include <whipple/output/run_log.h>
 #include <whipple/output/version.h>
 
@@ -41,18 +42,6 @@ namespace whipple
       // "Open MPI v4.1.4, package: ..." and the like: what follows the first comma or line end is packaging
       const std::string version(text.data());
       return version.substr(0, version.find_first_of(",\n"));
-    }
-
-    /// 75 -> "1 min 15 s".
-    std::string
-    duration(double seconds)
-    {
-      const long s = std::lround(seconds);
-      if (s < 60)
-        return std::to_string(s) + " s";
-      if (s < 3600)
-        return std::to_string(s / 60) + " min " + std::to_string(s % 60) + " s";
-      return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
     }
 
     std::string

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/output/summary.h>
+#include <whipple/output/version.h>
 
 #include <nlohmann/json.hpp>
 
@@ -129,8 +130,32 @@ namespace whipple::summary
         return nullptr;
       Json json = Json::object();
       for (const auto &[field, error] : errors)
-        json[field] = {{"L1", number(error.l1)}, {"L2", number(error.l2)}, {"Linf", number(error.linf)}};
+        json[field] = {{"L1", number(error.l1)},
+                       {"L2", number(error.l2)},
+                       {"Linf", number(error.linf)},
+                       {"scale", number(error.scale)}};
       return json;
+    }
+
+    Json
+    json_of(const std::map<std::string, std::map<std::string, ErrorBar>> &error_bars)
+    {
+      if (error_bars.empty())
+        return nullptr;
+      Json json = Json::object();
+      for (const auto &[place, quantities] : error_bars)
+        for (const auto &[name, bar] : quantities)
+          json[place][name] = {{"error", number(bar.error)},
+                               {"order", number(bar.order)},
+                               {"extrapolated", number(bar.extrapolated)},
+                               {"verdict", bar.verdict}};
+      return json;
+    }
+
+    Json
+    program()
+    {
+      return {{"version", version::number()}, {"commit", version::git_hash()}, {"build_type", version::build_type()}};
     }
 
     Json
@@ -152,12 +177,14 @@ namespace whipple::summary
     const Performance &performance = summary.performance;
     const Counts      &counts      = summary.counts;
     const Json         json        = {{"schema", schema},
+                                      {"program", program()},
                                       {"scene", summary.scene},
                                       {"status", summary.status},
                                       {"reason", summary.reason ? Json(*summary.reason) : Json(nullptr)},
                                       {"stages", stages},
                                       {"ledger", json_of(summary.ledger)},
                                       {"results", json_of(summary.results)},
+                                      {"error_bars", json_of(summary.error_bars)},
                                       {"errors", json_of(summary.errors)},
                                       {"performance",
                                        {{"wall_s", number(performance.wall_s)},

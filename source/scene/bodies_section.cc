@@ -101,6 +101,18 @@ namespace whipple::sections
       body.energy = section.quantity("Specific energy", units::specific_energy);
     }
 
+    /// Entries that the exact solution says instead.
+    template <int dim>
+    void
+    check_exact(const SceneSection &section, const Body<dim> &body)
+    {
+      for (const char *key : {"Density", "Pressure", "Specific energy", "Deposited energy"})
+        if (section.given(key))
+          section.reject(key, "the initial state is exact: the exact solution gives it; allowed is nothing");
+      if (body.velocity != Vector<dim>{})
+        section.reject("Velocity", "the initial state is exact: the exact solution gives it; allowed is nothing");
+    }
+
     template <int dim>
     Body<dim>
     read_body(SceneParameters &parameters, const std::string &name, const Scene<dim> &scene)
@@ -111,10 +123,18 @@ namespace whipple::sections
         materials.push_back(material.name);
 
       Body<dim> body;
-      body.name     = name;
-      body.shape    = read_shape<dim>(section);
-      body.velocity = section.vector<dim>("Velocity", units::velocity);
-      body.material = section.name_index("Material", section.text("Material"), materials);
+      body.name          = name;
+      body.shape         = read_shape<dim>(section);
+      body.velocity      = section.vector<dim>("Velocity", units::velocity);
+      body.material      = section.name_index("Material", section.text("Material"), materials);
+      body.initial_state = section.choice<InitialState>(
+          "Initial state", {{"uniform", InitialState::uniform}, {"exact", InitialState::exact}});
+      if (body.initial_state == InitialState::exact)
+        {
+          check_exact(section, body);
+          body.density = scene.materials[body.material].model.eos->reference_density();
+          return body;
+        }
       read_state(section, *scene.materials[body.material].model.eos, body);
       if (section.given("Deposited energy"))
         body.deposit = EnergyDeposit<dim>{section.positive("Deposited energy", units::energy),
@@ -140,6 +160,8 @@ namespace whipple::sections
         section.declare("Half width", "", "plate: |x| or r up to which it reaches; not given: the whole domain");
         section.declare("Lower corner", "", "box");
         section.declare("Upper corner", "", "box");
+        section.declare("Initial state", "uniform",
+                        "uniform | exact: density, energy and velocity of the scene's exact solution");
         section.declare("Velocity", "0 cm/us, 0 cm/us", "along axis 0 and axis 1");
         section.declare("Material", "", "one of Materials/List");
         section.declare("Density", "", "not given: the material's at zero pressure and energy");

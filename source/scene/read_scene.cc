@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/scene/nearest_name.h>
 #include <whipple/scene/sections.h>
+#include <whipple/scene/study_section.h>
 
 #include <algorithm>
 #include <cctype>
@@ -46,6 +47,17 @@ namespace whipple
       return all;
     }
 
+    /// The section Study is for studies; a run checks that it is well formed and goes on without it.
+    void
+    drop_study(const std::string &file, std::vector<PrmStatement> &statements)
+    {
+      const auto study = read_study_section(file, statements);
+      if (study && study->scene_file != file)
+        throw InputError(file, "Study/Scene", study->scene_file,
+                         "this file is a study of another scene: use 'whipple study', or run that scene");
+      std::erase_if(statements, belongs_to_study);
+    }
+
     void
     declare_all(SceneParameters &parameters, const std::vector<PrmStatement> &statements)
     {
@@ -58,6 +70,7 @@ namespace whipple
       sections::declare_stages(parameters, listed_names(statements, "Stages"));
       sections::declare_numerics(parameters);
       sections::declare_output(parameters);
+      sections::declare_exact_solution(parameters);
     }
   } // namespace
 
@@ -65,9 +78,19 @@ namespace whipple
   Scene<dim>
   read_scene(const std::string &file, const std::vector<std::string> &overrides)
   {
-    std::vector<PrmStatement> statements = read_prm_statements(file);
+    std::vector<PrmStatement> statements;
     for (const std::string &text : overrides)
       statements.push_back(read_override(text));
+    return read_varied_scene<dim>(file, statements);
+  }
+
+  template <int dim>
+  Scene<dim>
+  read_varied_scene(const std::string &file, const std::vector<PrmStatement> &overrides)
+  {
+    std::vector<PrmStatement> statements = read_prm_statements(file);
+    statements.insert(statements.end(), overrides.begin(), overrides.end());
+    drop_study(file, statements);
 
     SceneParameters parameters(file);
     declare_all(parameters, statements);
@@ -83,10 +106,13 @@ namespace whipple
     scene.materials = sections::read_materials(parameters, scene.effects);
     scene.bodies    = sections::read_bodies<dim>(parameters, scene);
     sections::check_bodies<dim>(parameters, scene);
-    scene.stages               = sections::read_stages<dim>(parameters, scene);
-    scene.numerics             = sections::read_numerics(parameters);
-    scene.output               = sections::read_output(parameters);
-    scene.exact_solution       = sections::read_exact_solution(parameters);
+    scene.stages   = sections::read_stages<dim>(parameters, scene);
+    scene.numerics = sections::read_numerics(parameters);
+    scene.output   = sections::read_output(parameters);
+    sections::check_mesh_map<dim>(parameters, scene);
+    scene.exact = sections::read_exact_solution<dim>(parameters, scene);
+    sections::check_initial_states<dim>(parameters, scene);
+    sections::drive_sides<dim>(parameters, scene);
     scene.effective_parameters = parameters.print();
     return scene;
   }
@@ -103,6 +129,8 @@ namespace whipple
 
   template Scene<2>
   read_scene(const std::string &, const std::vector<std::string> &);
+  template Scene<2>
+  read_varied_scene(const std::string &, const std::vector<PrmStatement> &);
   template void
   write_effective_parameters(const Scene<2> &, const std::string &);
 } // namespace whipple

@@ -245,6 +245,18 @@ namespace whipple::units
     }
   } // namespace
 
+  const Quantity *
+  find_quantity(std::string_view name)
+  {
+    static constexpr const Quantity *all[] = {&number,       &length,          &time,   &velocity,  &density,
+                                              &pressure,     &specific_energy, &energy, &void_rate, &temperature,
+                                              &specific_heat};
+    for (const Quantity *quantity : all)
+      if (name == quantity->name)
+        return quantity;
+    return nullptr;
+  }
+
   double
   parse(std::string_view text, const Quantity &quantity)
   {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/stage/reporter.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <limits>
@@ -19,6 +21,21 @@ namespace whipple
       std::vsnprintf(text, sizeof text, pattern, arguments);
       va_end(arguments);
       return text;
+    }
+
+    /// The value with as many decimals as its error bar has: one digit of that, two if it starts with 1.
+    std::string
+    with_error_bar(double value, double error)
+    {
+      constexpr int most_decimals = 12;
+      int           decimals      = 3;
+      if (error > 0)
+        {
+          const int    exponent = static_cast<int>(std::floor(std::log10(error)));
+          const double leading  = error / std::pow(10., exponent);
+          decimals              = std::clamp((leading < 2 ? 1 : 0) - exponent, 0, most_decimals);
+        }
+      return format("%.*f +- %.*f", decimals, value, decimals, error);
     }
 
     template <int dim>
@@ -143,6 +160,19 @@ namespace whipple
     const auto closure = ledger.closure(present);
     log_.info(format("  closes to %.1e (mass), %.1e (axial momentum), %.1e (total energy)", closure.mass,
                      closure.axial_momentum, closure.energy));
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::result(const std::string &place, const std::string &quantity, const summary::Result &value,
+                        const summary::ErrorBar &bar)
+  {
+    std::string text = place + ' ' + quantity;
+    if (const double *number = std::get_if<double>(&value))
+      text += ' ' + (bar.error ? with_error_bar(*number, *bar.error) : format("%.4g", *number));
+    else if (const bool *verdict = std::get_if<bool>(&value))
+      text += *verdict ? " yes" : " no";
+    log_.info(text + " (" + bar.verdict + ')');
   }
 
   template <int dim>

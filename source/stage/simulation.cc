@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/output/process_use.h>
-#include <whipple/stage/debris_measure.h>
-#include <whipple/stage/plate_measure.h>
+#include <whipple/stage/exact_errors.h>
+#include <whipple/stage/result_table.h>
+#include <whipple/stage/shock_measure.h>
 #include <whipple/stage/simulation.h>
 #include <whipple/stage/stage_loop.h>
 
 #include <filesystem>
-#include <variant>
 
 namespace whipple
 {
@@ -75,7 +75,7 @@ namespace whipple
     , reporter_(scene_, layout_, directory, live, communicator)
     , domain_{Forest<dim>(communicator, scene_.lattice), nullptr, {}}
     , wall_start_(MPI_Wtime())
-    , entered_(scene_.bodies.size(), false)
+    , cpu_start_(process_use(communicator).cpu_s)
   {
     summary_.scene = std::filesystem::path(scene_.file).filename().string();
     for (const char *name : {"strength", "voids", "body tags"})
@@ -85,23 +85,15 @@ namespace whipple
 
   template <int dim>
   void
-  Simulation<dim>::measure_plates(const Stage &stage)
+  Simulation<dim>::measure_plates(std::size_t stage)
   {
-    if (stage.mode != StageMode::eulerian)
-      return;
-    for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
-      if (entered_[b] && std::holds_alternative<Plate<dim>>(scene_.bodies[b].shape))
-        {
-          const PlateMeasure m =
-              measure_plate(scene_, layout_, b, domain_.view->mesh, domain_.state, domain_.communicator());
-          auto &results                        = summary_.results[scene_.bodies[b].name];
-          results["hole_diameter_cm"]          = m.hole_diameter;
-          results["smallest_hole_diameter_cm"] = m.smallest_hole_diameter;
-          results["perforated"]                = m.perforated;
-          results["crater_depth_cm"]           = m.crater_depth;
-          results["least_thickness_cm"]        = m.least_thickness;
-          results["measured_at_us"]            = domain_.state.time;
-        }
+    for (const std::size_t plate : measured_plates(scene_, stage))
+      {
+        const PlateMeasure measure =
+            measure_plate(scene_, layout_, plate, domain_.view->mesh, domain_.state, domain_.communicator());
+        for (const auto &[quantity, value] : plate_results(measure, domain_.state.time))
+          summary_.results[scene_.bodies[plate].name][quantity] = value;
+      }
   }
 
   template <int dim>
@@ -129,20 +121,7 @@ namespace whipple
     const double        origin = stage.debris.behind ? extent(scene_.bodies[*stage.debris.behind].shape).upper[1] : 0.;
     const DebrisMeasure m      = measure_debris<dim>(
         domain_.view->mesh, domain_.state, [](Index) { return true; }, origin, domain_.communicator());
-    auto &results                                  = summary_.results[stage.name];
-    results[prefix + "mass_g"]                     = m.mass;
-    results[prefix + "axial_momentum_g_cm_per_us"] = m.axial_momentum;
-    results[prefix + "mass_velocity_cm_per_us"]    = m.mass_velocity;
-    if (const auto velocity = projectile_velocity())
-      results[prefix + "inline_mass_velocity_cm_per_us"] = *velocity;
-    results[prefix + "leading_edge_cm"]                 = m.leading_edge;
-    results[prefix + "leading_edge_velocity_cm_per_us"] = m.leading_edge_velocity;
-    results[prefix + "length_cm"]                       = m.length;
-    results[prefix + "radius_cm"]                       = m.radius;
-    results[prefix + "radius_95_cm"]                    = m.radius_95;
-    results[prefix + "depth_95_cm"]                     = m.depth_95;
-    results[prefix + "cone_angle_deg"]                  = m.cone_angle;
-    results[prefix + "time_us"]                         = domain_.state.time;
+    summary_.results[stage.name].merge(debris_results(m, projectile_velocity(), domain_.state.time, prefix));
   }
 
   template <int dim>
@@ -150,23 +129,27 @@ namespace whipple
   Simulation<dim>::run_stage(std::size_t number)
   {
     const Stage &stage = scene_.stages[number];
-    for (const std::size_t b : stage.introduces)
-      entered_[b] = true;
     handover_.enter(stage, number > 0 ? &scene_.stages[number - 1] : nullptr, domain_, ledger_);
-    if (stage.mode == StageMode::lagrangian)
-      // what has been dropped with the plate is no longer there to measure
-      entered_.assign(entered_.size(), false);
-
     ledger_.check(totals(domain_.view->mesh, domain_.state, domain_.communicator()),
                   "the projection into stage '" + stage.name + "'", projection_round_off);
     if (stage.mode == StageMode::lagrangian)
-      measure_cloud(stage, "handover_");
+      measure_cloud(stage, handover_prefix);
     summary::Stage &record = summary_.stages.emplace_back();
     StageLoop<dim>  loop(scene_, layout_, regridding_, stage, static_cast<int>(number), reporter_, record);
     loop.run(domain_, ledger_, summary_.counts);
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, "");
-    measure_plates(stage);
+    measure_plates(number);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_errors()
+  {
+    const FlatMesh<dim> &mesh = domain_.view->mesh;
+    summary_.errors           = exact_errors<dim>(*scene_.exact, mesh, domain_.state, domain_.communicator());
+    if (const auto shock = measure_shock<dim>(scene_, mesh, domain_.state, domain_.communicator()))
+      summary_.results[exact_place] = shock_results(*shock);
   }
 
   template <int dim>
@@ -191,7 +174,7 @@ namespace whipple
       }
     const ProcessUse use                = process_use(communicator);
     summary_.performance.wall_s         = MPI_Wtime() - wall_start_;
-    summary_.performance.cpu_s          = use.cpu_s;
+    summary_.performance.cpu_s          = use.cpu_s - cpu_start_;
     summary_.performance.peak_rss_bytes = use.peak_rss_bytes;
     MPI_Comm_size(communicator, &summary_.performance.ranks);
     summary_.performance.active_cell_steps = 0;
@@ -214,6 +197,8 @@ namespace whipple
       {
         for (; number < scene_.stages.size(); ++number)
           run_stage(number);
+        if (scene_.exact)
+          measure_errors();
       }
     catch (const StateError &error)
       {
@@ -225,6 +210,20 @@ namespace whipple
         throw;
       }
     write_summary();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::report_error_bars(const std::map<std::string, std::map<std::string, summary::ErrorBar>> &error_bars)
+  {
+    summary_.error_bars = error_bars;
+    for (const auto &[place, quantities] : error_bars)
+      for (const auto &[quantity, bar] : quantities)
+        reporter_.result(place, quantity, summary_.results.at(place).at(quantity), bar);
+    int rank = 0;
+    MPI_Comm_rank(domain_.communicator(), &rank);
+    if (rank == 0)
+      summary::write(summary_, directory_);
   }
 
   template class Simulation<2>;

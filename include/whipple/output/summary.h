@@ -55,7 +55,17 @@ namespace whipple::summary
 
   struct Error
   {
-    Number l1, l2, linf;
+    Number l1{}, l2{}, linf{};
+    Number scale{}; ///< mean size of the exact solution
+  };
+
+  /// How far a result may be from its limit on ever finer cells.
+  struct ErrorBar
+  {
+    Number      error;        ///< in the unit of the result
+    Number      order;        ///< observed
+    Number      extrapolated; ///< estimate of the limit
+    std::string verdict;      ///< "monotone", "oscillating" ...
   };
 
   struct Effect
@@ -85,16 +95,17 @@ namespace whipple::summary
 
   struct Summary
   {
-    std::string                                          scene;
-    std::string                                          status = "completed"; ///< or "stopped"
-    std::optional<std::string>                           reason;               ///< why it stopped
-    std::vector<Stage>                                   stages;
-    Ledger                                               ledger;
-    std::map<std::string, std::map<std::string, Result>> results; ///< plate, gap or wall -> quantity -> value
-    std::map<std::string, Error>                         errors;  ///< field -> norms; empty without exact solution
-    Performance                                          performance;
-    std::map<std::string, Effect>                        effects;
-    Counts                                               counts;
+    std::string                                            scene;
+    std::string                                            status = "completed"; ///< or "stopped"
+    std::optional<std::string>                             reason;               ///< why it stopped
+    std::vector<Stage>                                     stages;
+    Ledger                                                 ledger;
+    std::map<std::string, std::map<std::string, Result>>   results;    ///< plate, gap or wall -> quantity -> value
+    std::map<std::string, std::map<std::string, ErrorBar>> error_bars; ///< as results; empty if none were asked for
+    std::map<std::string, Error>                           errors;     ///< field -> norms; empty without exact solution
+    Performance                                            performance;
+    std::map<std::string, Effect>                          effects;
+    Counts                                                 counts;
   };
 
   /// The summary as JSON text.

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/exact/exact_solution.h>
 #include <whipple/hydro/hydro_parameters.h>
 #include <whipple/material/material_factory.h>
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_builder.h>
+#include <whipple/mesh/mesh_map.h>
 #include <whipple/projection/to_eulerian.h>
+#include <whipple/scene/prm_statements.h>
 #include <whipple/scene/shape.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,16 +40,24 @@ namespace whipple
     Vector<dim> point{};    ///< cm; goes into the leaf that holds this point (of several, the one of smallest key)
   };
 
-  /// A body as it enters the scene: uniform density, energy and velocity, no void, no stress.
+  /// What a body is filled with when it enters.
+  enum class InitialState
+  {
+    uniform, ///< one density, energy and velocity
+    exact    ///< those of the scene's exact solution at that time
+  };
+
+  /// A body as it enters the scene, without void and stress.
   template <int dim>
   struct Body
   {
     std::string                       name;
     Shape<dim>                        shape;
-    std::size_t                       material = 0; ///< index into Scene::materials
-    Vector<dim>                       velocity{};   ///< cm/us
-    double                            density = 0;  ///< g/cm^3
-    double                            energy  = 0;  ///< specific internal energy, Mbar cm^3/g
+    std::size_t                       material      = 0; ///< index into Scene::materials
+    InitialState                      initial_state = InitialState::uniform;
+    Vector<dim>                       velocity{};  ///< cm/us
+    double                            density = 0; ///< g/cm^3; not exact: the material's at rest
+    double                            energy  = 0; ///< specific internal energy, Mbar cm^3/g
     std::optional<EnergyDeposit<dim>> deposit;
   };
 
@@ -97,7 +109,8 @@ namespace whipple
   enum class Refinement
   {
     adaptive, ///< by what the cells hold
-    uniform   ///< the finest level everywhere
+    uniform,  ///< the finest level everywhere
+    region    ///< the finest level in a fixed box, coarser cells around it: order tests with hanging nodes
   };
 
   /// How the forest follows the material; its cells themselves are Scene::lattice.
@@ -110,6 +123,12 @@ namespace whipple
     double     solid_ratio    = 0;  ///< ... and one more for each factor of this (< 1) below it
     int        quiet_levels   = 0;  ///< levels that undisturbed material gives up
     double     quiet_velocity = 0;  ///< cm/us; slower than this, and with less stress than rho c times it: undisturbed
+    int        smooth_levels  = 0;  ///< levels that material gives up where its state hardly changes over a cell
+    double smooth_change = 0; ///< change of density, pressure or momentum density over a cell, as a part of the largest
+                              ///< value in the scene, up to which it hardly changes
+
+    Box<2> region;            ///< cm; Refinement::region
+    int    region_levels = 0; ///< levels that cells outside the region give up
   };
 
   /// Coefficients of the scheme; doc/theory says what they multiply.
@@ -129,6 +148,7 @@ namespace whipple
     bool                  hdf5                = true; ///< HDF5 + XDMF
     bool                  vtu                 = false;
     double                statistics_interval = 0; ///< us; 0: every step
+    int error_estimate_levels = 0; ///< cell sizes, the scene's own included, that error bars are taken from; 0: none
   };
 
   template <int dim>
@@ -138,7 +158,8 @@ namespace whipple
     std::string title; ///< one line for the banner
 
     Boundaries<dim> boundaries;
-    Lattice<dim>    lattice; ///< symmetry, lower corner, finest cell, root cells, levels
+    Lattice<dim>    lattice;                  ///< symmetry, lower corner, finest cell, root cells, levels
+    MeshMap         mesh_map = MeshMap::none; ///< where the nodes of the lattice, and all bodies on it, start
     MeshControl     mesh;
 
     std::vector<SceneMaterial> materials;
@@ -147,7 +168,8 @@ namespace whipple
     std::vector<Stage>         stages; ///< at least one
     Numerics                   numerics;
     OutputControl              output;
-    std::optional<std::string> exact_solution; ///< name of the exact solution that errors are measured against
+
+    std::shared_ptr<const exact::ExactSolution<dim>> exact; ///< what errors are measured against; null: nothing
 
     std::string effective_parameters; ///< every value in force, as a .prm that reads back to this scene
 
@@ -169,13 +191,30 @@ namespace whipple
         upper[d] = lattice.origin[d] + lattice.spacing * lattice.finest(d);
       return upper;
     }
+
+    /// Smallest box around what the map makes of a box of the lattice that reaches through all angles if it is polar.
+    Box<dim>
+    mapped_box(const Box<dim> &box) const
+    {
+      if (mesh_map != MeshMap::polar)
+        return box;
+      Box<dim> square;
+      square.upper.fill(box.upper[0]);
+      return square;
+    }
   };
 
-  /// Read a scene file, apply overrides ("Section/Sub/Name = value", the last one wins), check everything.
+  /// Read a scene file, apply overrides ("Section/Sub/Name = value", the last one wins), check everything. A section
+  /// Study (scene/study_section.h) must be well formed and is left out.
   /// @throws InputError one line naming file (or option), key, value and what is allowed.
   template <int dim>
   Scene<dim>
   read_scene(const std::string &file, const std::vector<std::string> &overrides = {});
+
+  /// The same with overrides that know where they come from, so that messages lead there.
+  template <int dim>
+  Scene<dim>
+  read_varied_scene(const std::string &file, const std::vector<PrmStatement> &overrides);
 
   /// Write Scene::effective_parameters to a file.
   /// @throws Error if it cannot be written.

@@ -4,6 +4,7 @@
 #include <whipple/scene/scene.h>
 #include <whipple/scene/section.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,19 @@
 /// names that their key `List` holds. Every read_ function throws InputError.
 namespace whipple::sections
 {
+  /// Keys of the sides of the domain, ordered 2 * axis + upper.
+  inline const std::array<std::string, 4> side_names{{"Left", "Right", "Bottom", "Top"}};
+
   void
   declare_geometry(SceneParameters &parameters);
   /// Symmetry, lattice origin, boundaries; returns the upper corner of the domain as the file gives it.
   template <int dim>
   Vector<dim>
   read_geometry(SceneParameters &parameters, Scene<dim> &scene);
+  /// Mesh maps need moving meshes and a domain that they do not fold; needs the scene's lattice and stages.
+  template <int dim>
+  void
+  check_mesh_map(SceneParameters &parameters, const Scene<dim> &scene);
 
   void
   declare_mesh(SceneParameters &parameters);
@@ -67,7 +75,19 @@ namespace whipple::sections
   declare_output(SceneParameters &parameters);
   OutputControl
   read_output(SceneParameters &parameters);
-  /// Output/Exact solution.
-  std::optional<std::string>
-  read_exact_solution(SceneParameters &parameters);
+
+  void
+  declare_exact_solution(SceneParameters &parameters);
+  /// Null if the scene names none; needs all of the scene but numerics and output.
+  template <int dim>
+  std::shared_ptr<const exact::ExactSolution<dim>>
+  read_exact_solution(SceneParameters &parameters, const Scene<dim> &scene);
+  /// Give sides that follow the exact solution its velocity.
+  template <int dim>
+  void
+  drive_sides(SceneParameters &parameters, Scene<dim> &scene);
+  /// Bodies that enter with the exact state need an exact solution.
+  template <int dim>
+  void
+  check_initial_states(SceneParameters &parameters, const Scene<dim> &scene);
 } // namespace whipple::sections

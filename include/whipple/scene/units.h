@@ -43,6 +43,10 @@ namespace whipple::units
   inline constexpr Quantity temperature{"temperature", {0, 0, 0, 1}, "K", "933 K"};
   inline constexpr Quantity specific_heat{"specific heat", {2, 0, -2, -1}, "Mbar cm^3/g/K", "863 J/kg/K"};
 
+  /// The quantity of that name ("velocity"), null if there is none.
+  const Quantity *
+  find_quantity(std::string_view name);
+
   /// Value of "NUMBER UNIT" in internal units.
   /// @throws InputError saying what is wrong and what is allowed (without file and key: the caller adds them) if the
   /// number cannot be read or is not finite, or its unit is missing, unknown or of another dimension.

@@ -4,6 +4,7 @@
 #include <whipple/output/field_output.h>
 #include <whipple/output/run_log.h>
 #include <whipple/output/statistics.h>
+#include <whipple/output/summary.h>
 #include <whipple/stage/cycle.h>
 #include <whipple/stage/domain.h>
 #include <whipple/stage/ledger.h>
@@ -50,6 +51,11 @@ namespace whipple
     /// End a stage: its fields and its page of the ledger, per body where bodies can be told apart.
     void
     stage_ends(const Stage &stage, const Domain<dim> &domain, const Ledger<dim> &ledger);
+
+    /// One line: "bumper hole_diameter_cm 0.68 +- 0.02 (monotone)".
+    void
+    result(const std::string &place, const std::string &quantity, const summary::Result &value,
+           const summary::ErrorBar &bar);
 
     /// Write the last good state beside the output.
     void

@@ -5,7 +5,9 @@
 #include <whipple/stage/handover.h>
 #include <whipple/stage/reporter.h>
 
+#include <map>
 #include <optional>
+#include <string>
 
 namespace whipple
 {
@@ -22,6 +24,10 @@ namespace whipple
     /// @throws StateError where physics or numerics stopped the run; the last good state is on disk.
     void
     run();
+
+    /// Add error bars to the results of a finished run: lines at the end of the log, and summary.json anew.
+    void
+    report_error_bars(const std::map<std::string, std::map<std::string, summary::ErrorBar>> &error_bars);
 
     /// Where the run stands.
     const Domain<dim> &
@@ -44,25 +50,27 @@ namespace whipple
     void
     run_stage(std::size_t number);
     void
-    measure_plates(const Stage &stage);
+    measure_plates(std::size_t stage);
     /// Mean axial velocity of the material of the bodies that came flying, cm/us; none if it cannot be told apart.
     std::optional<double>
     projectile_velocity() const;
     void
     measure_cloud(const Stage &stage, const std::string &prefix);
     void
+    measure_errors();
+    void
     write_summary();
 
-    Scene<dim>        scene_;
-    FieldLayout       layout_;
-    std::string       directory_;
-    Regridding<dim>   regridding_;
-    Handover<dim>     handover_;
-    Reporter<dim>     reporter_;
-    Domain<dim>       domain_;
-    Ledger<dim>       ledger_;
-    summary::Summary  summary_;
-    double            wall_start_;
-    std::vector<bool> entered_; ///< bodies that have entered so far
+    Scene<dim>       scene_;
+    FieldLayout      layout_;
+    std::string      directory_;
+    Regridding<dim>  regridding_;
+    Handover<dim>    handover_;
+    Reporter<dim>    reporter_;
+    Domain<dim>      domain_;
+    Ledger<dim>      ledger_;
+    summary::Summary summary_;
+    double           wall_start_;
+    double           cpu_start_; ///< the process may have worked before
   };
 } // namespace whipple

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Errors against an exact solution and the shock's position are the same bits on any number of ranks.
+#include <whipple/hydro/lagrange_step.h>
+#include <whipple/stage/exact_errors.h>
+#include <whipple/stage/handover.h>
+#include <whipple/stage/shock_measure.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace whipple;
+
+  struct Measured
+  {
+    std::map<std::string, summary::Error> errors;
+    std::optional<ShockMeasure>           shock;
+  };
+
+  /// Noh's implosion as it starts, against the same 0.3 us later.
+  Measured
+  measure(MPI_Comm communicator)
+  {
+    const Scene<2>      scene = read_scene<2>(std::string(WHIPPLE_SOURCE_DIR) + "/prm/verification/noh_spherical.prm",
+                                         {"Mesh/Finest cell = 0.05 cm", "Exact solution/Start time = 0.3 us"});
+    const FieldLayout   layout(scene);
+    const Regridding<2> regridding(scene, layout);
+    Domain<2>           domain{Forest<2>(communicator, scene.lattice), nullptr, {}};
+    Ledger<2>           ledger;
+    Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+    LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
+        .update_pressure(domain.state);
+    domain.state.time = 0.3;
+    return {exact_errors<2>(*scene.exact, domain.view->mesh, domain.state, communicator),
+            measure_shock<2>(scene, domain.view->mesh, domain.state, communicator)};
+  }
+
+  TEST(ExactErrorsRanks, SameBitsOnAnyNumber)
+  {
+    const Measured all = measure(MPI_COMM_WORLD), alone = measure(MPI_COMM_SELF);
+    ASSERT_EQ(all.errors.size(), 4u);
+    for (const auto &[name, error] : alone.errors)
+      {
+        EXPECT_GT(*error.l1, 0.) << name;
+        EXPECT_EQ(*all.errors.at(name).l1, *error.l1) << name;
+        EXPECT_EQ(*all.errors.at(name).l2, *error.l2) << name;
+        EXPECT_EQ(*all.errors.at(name).linf, *error.linf) << name;
+      }
+    ASSERT_TRUE(all.shock && all.shock->mean && alone.shock && alone.shock->mean);
+    EXPECT_EQ(*all.shock->mean, *alone.shock->mean);
+    EXPECT_EQ(*all.shock->spread, *alone.shock->spread);
+    EXPECT_EQ(all.shock->exact, 0.2);
+  }
+} // namespace
