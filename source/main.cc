@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <deal.II/base/mpi.h>
 
+#include <whipple/command/command_line.h>
+#include <whipple/command/mpirun.h>
 #include <whipple/error.h>
 #include <whipple/output/version.h>
-#include <whipple/scene/command_line.h>
-#include <whipple/scene/mpirun.h>
-#include <whipple/stage/run.h>
+#include <whipple/study/run.h>
+#include <whipple/study/study.h>
 
 #include <chrono>
 #include <exception>
@@ -55,6 +56,21 @@ namespace
       {
         return {other_failure, error.what()};
       }
+  }
+
+  /// A study starts its runs as processes of their own: MPI stays down.
+  ExitStatus
+  run_study_alone(StudyOptions options)
+  {
+    options.live          = mpirun::prints_to_terminal();
+    const Failure failure = attempt([&] {
+      if (mpirun::is_rank())
+        throw InputError("a study is no MPI program; it starts the ranks of its runs itself: -n RANKS");
+      run_study(options, std::cout);
+    });
+    if (failure.status != done)
+      std::cerr << "whipple: " << failure.message << std::endl;
+    return failure.status;
   }
 
   void
@@ -122,6 +138,9 @@ main(int argc, char **argv)
         run->options.live = mpirun::prints_to_terminal();
       }
   });
+
+  if (const auto *study = std::get_if<command_line::Study>(&command))
+    return run_study_alone(study->options);
 
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   MPI_Comm                                 failures;

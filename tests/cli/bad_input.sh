@@ -17,6 +17,9 @@ rejects() {
 rejects "unknown verb 'fly'" fly
 rejects 'a verb of the launcher' test
 rejects 'needs a scene file' run
+rejects 'study needs a file' study
+rejects 'a verb of the launcher' plot output
+rejects 'no_such_study.prm' study no_such_study.prm
 rejects "unknown option '--sett'" run scene.prm --sett 'A = b'
 rejects "--set = 'Courant'" run scene.prm --set Courant
 rejects "-n = '0'" run scene.prm -n 0

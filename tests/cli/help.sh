@@ -14,6 +14,8 @@ answers() {
 answers 'whipple run SCENE' help
 answers 'whipple run SCENE'
 answers 'scene_files.md' help scene
+answers 'studies.md' help study
 answers 'body tags' help effects
 answers 'aluminium' help materials
+answers '^  noh: ' help 'exact solutions'
 answers '^Whipple [0-9]' --version

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/command/command_line.h>
 #include <whipple/error.h>
-#include <whipple/scene/command_line.h>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,24 @@ namespace
     EXPECT_TRUE(run.options.overrides.empty());
   }
 
+  TEST(CommandLine, StudyWithEverything)
+  {
+    const std::vector<std::string> words{"study",         "prm/a.prm",   "-n",      "2",        "--set",
+                                         "A = b",         "--tolerance", "x = 2 %", "--budget", "20 min",
+                                         "--any-version", "--validate"};
+    const auto                     options = std::get<command_line::Study>(command_line::parse(words)).options;
+    EXPECT_EQ(options.file, "prm/a.prm");
+    EXPECT_EQ(options.output_directory, "output/a");
+    EXPECT_EQ(options.ranks, 2);
+    EXPECT_EQ(options.overrides, (std::vector<std::string>{"A = b"}));
+    EXPECT_EQ(options.tolerance, "x = 2 %");
+    EXPECT_EQ(options.budget, "20 min");
+    EXPECT_TRUE(options.any_version);
+    EXPECT_TRUE(options.validate_only);
+    EXPECT_EQ(options.command, "./whipple study prm/a.prm -n 2 --set 'A = b' --tolerance 'x = 2 %' --budget '20 min' "
+                               "--any-version --validate");
+  }
+
   TEST(CommandLine, OtherVerbs)
   {
     const std::vector<std::string> none, topic{"help", "effects"}, version{"--version"};
@@ -55,6 +73,10 @@ namespace
                                                       {"run", "a.prm", "-n"},
                                                       {"run", "a.prm", "--set", " = 3"},
                                                       {"run", "a.prm", "--fast"},
+                                                      {"study"},
+                                                      {"study", "a.prm", "b.prm"},
+                                                      {"study", "a.prm", "--tolerance"},
+                                                      {"study", "a.prm", "--fast"},
                                                       {"help", "scene", "effects"},
                                                       {"test"},
                                                       {"sing"}};

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/command/command_line.h>
+#include <whipple/error.h>
+
+#include <charconv>
+#include <filesystem>
+
+namespace whipple::command_line
+{
+  namespace
+  {
+    constexpr int most_ranks = 4096; // a typo, not a machine
+
+    /// The value that follows an option.
+    const std::string &
+    value_of(std::span<const std::string> arguments, std::size_t &i, const char *what)
+    {
+      if (i + 1 >= arguments.size())
+        throw InputError("option " + arguments[i] + " needs a value: " + what);
+      return arguments[++i];
+    }
+
+    int
+    parse_ranks(const std::string &text)
+    {
+      int        ranks            = 0;
+      const auto end              = text.data() + text.size();
+      const auto [stopped, error] = std::from_chars(text.data(), end, ranks);
+      if (error != std::errc{} || stopped != end || ranks < 1 || ranks > most_ranks)
+        throw InputError("command line", "-n", text, "a number of ranks from 1 to " + std::to_string(most_ranks));
+      return ranks;
+    }
+
+    std::string
+    parse_override(const std::string &text)
+    {
+      const std::size_t equals = text.find('=');
+      if (equals == std::string::npos || text.find_first_not_of(' ') == equals)
+        throw InputError("command line", "--set", text, "write 'Section/Sub/Name = value'");
+      return text;
+    }
+
+    /// Where results go unless --output says otherwise.
+    std::string
+    default_output(const std::string &file)
+    {
+      return (std::filesystem::path("output") / std::filesystem::path(file).stem()).string();
+    }
+
+    /// The one file that a verb takes.
+    void
+    take_file(std::string &file, const std::string &argument, const std::string &verb, const std::string &what)
+    {
+      if (argument.starts_with('-'))
+        throw InputError("unknown option '" + argument + "': " + what);
+      if (!file.empty())
+        throw InputError((verb == "run" ? "two scene files, '" : "two study files, '") + file + "' and '" + argument +
+                         "': " + verb + " takes one (write --set 'name = value' as one quoted argument)");
+      file = argument;
+    }
+
+    Run
+    parse_run(std::span<const std::string> arguments)
+    {
+      Run         run;
+      RunOptions &options = run.options;
+      for (std::size_t i = 0; i < arguments.size(); ++i)
+        {
+          const std::string &argument = arguments[i];
+          if (argument == "-n")
+            run.ranks = parse_ranks(value_of(arguments, i, "the number of ranks"));
+          else if (argument == "--set")
+            options.overrides.push_back(parse_override(value_of(arguments, i, "'Section/Sub/Name = value'")));
+          else if (argument == "--output")
+            options.output_directory = value_of(arguments, i, "a directory");
+          else if (argument == "--validate")
+            options.validate_only = true;
+          else
+            take_file(options.scene_file, argument, "run", "run takes -n, --set, --output and --validate");
+        }
+      if (options.scene_file.empty())
+        throw InputError("run needs a scene file: whipple run SCENE.prm");
+      if (options.output_directory.empty())
+        options.output_directory = default_output(options.scene_file);
+      return run;
+    }
+
+    /// The words as a shell takes them.
+    std::string
+    quoted(std::span<const std::string> arguments)
+    {
+      std::string text = "./whipple";
+      for (const std::string &argument : arguments)
+        {
+          const bool plain = argument.find_first_of(" '\"\\$;|&()*?<>=") == std::string::npos;
+          text += plain ? ' ' + argument : " '" + argument + '\'';
+        }
+      return text;
+    }
+
+    Study
+    parse_study(std::span<const std::string> words)
+    {
+      Study         study;
+      StudyOptions &options = study.options;
+      options.command       = quoted(words);
+      const auto arguments  = words.subspan(1);
+      for (std::size_t i = 0; i < arguments.size(); ++i)
+        {
+          const std::string &argument = arguments[i];
+          if (argument == "-n")
+            options.ranks = parse_ranks(value_of(arguments, i, "the number of ranks"));
+          else if (argument == "--set")
+            options.overrides.push_back(parse_override(value_of(arguments, i, "'Section/Sub/Name = value'")));
+          else if (argument == "--output")
+            options.output_directory = value_of(arguments, i, "a directory");
+          else if (argument == "--tolerance")
+            options.tolerance = value_of(arguments, i, "'RESULT = 2 %'");
+          else if (argument == "--budget")
+            options.budget = value_of(arguments, i, "'20 min'");
+          else if (argument == "--any-version")
+            options.any_version = true;
+          else if (argument == "--validate")
+            options.validate_only = true;
+          else
+            take_file(options.file, argument, "study",
+                      "study takes -n, --set, --output, --tolerance, --budget, --any-version and --validate");
+        }
+      if (options.file.empty())
+        throw InputError("study needs a file: whipple study STUDY.prm");
+      if (options.output_directory.empty())
+        options.output_directory = default_output(options.file);
+      return study;
+    }
+  } // namespace
+
+  Command
+  parse(std::span<const std::string> arguments)
+  {
+    if (arguments.empty())
+      return Help{};
+    const std::string &verb = arguments[0];
+    if (verb == "run")
+      return parse_run(arguments.subspan(1));
+    if (verb == "study")
+      return parse_study(arguments);
+    if (verb == "help" || verb == "--help" || verb == "-h")
+      {
+        if (arguments.size() > 2)
+          throw InputError("help takes one topic, such as scene, study or effects");
+        return Help{arguments.size() == 2 ? arguments[1] : std::string{}};
+      }
+    if (verb == "--version")
+      return Version{};
+    if (verb == "test" || verb == "build" || verb == "plot")
+      throw InputError("'" + verb + "' is a verb of the launcher: ./whipple " + verb);
+    throw InputError("unknown verb '" + verb + "': use run, study or help");
+  }
+} // namespace whipple::command_line

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/output/output_directory.h>
+#include <whipple/scene/units.h>
+#include <whipple/stage/simulation.h>
+#include <whipple/study/error_estimate.h>
+#include <whipple/study/run.h>
+
+#include <iostream>
+
+namespace whipple
+{
+  namespace
+  {
+    void
+    prepare(const Scene<2> &scene, const std::string &directory, MPI_Comm communicator)
+    {
+      prepare_output_directory(directory, communicator);
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      if (rank == 0)
+        write_effective_parameters(scene, directory + "/parameters.prm");
+    }
+
+    /// Run the coarser scenes below DIR/error_estimate. One that stops is left out: two levels still give an error bar.
+    std::vector<LevelResults>
+    run_coarser(const std::vector<Scene<2>> &scenes, const RunOptions &options, MPI_Comm communicator)
+    {
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      std::vector<LevelResults> levels;
+      for (const Scene<2> &scene : scenes)
+        {
+          const std::string cell = units::format(scene.lattice.spacing, units::length);
+          const std::string directory =
+              options.output_directory + "/error_estimate/cell=" + cell.substr(0, cell.find(' ')) + "cm";
+          if (rank == 0)
+            std::cout << "error estimate: cells of " << cell << std::endl;
+          prepare(scene, directory, communicator);
+          try
+            {
+              Simulation<2> simulation(scene, directory, options.live, communicator);
+              simulation.run();
+              levels.push_back({scene.lattice.spacing, simulation.summary().results});
+            }
+          catch (const StateError &error)
+            {
+              if (rank == 0)
+                std::cout << "error estimate: cells of " << cell << " left out, stopped: " << error.what() << std::endl;
+            }
+        }
+      return levels;
+    }
+  } // namespace
+
+  void
+  run_scene(const RunOptions &options, MPI_Comm communicator)
+  {
+    const Scene<2>              scene   = read_scene<2>(options.scene_file, options.overrides);
+    const std::vector<Scene<2>> coarser = coarser_scenes(scene, options.overrides);
+    if (options.validate_only)
+      return;
+    prepare(scene, options.output_directory, communicator);
+    std::vector<LevelResults> levels = run_coarser(coarser, options, communicator);
+    Simulation<2>             simulation(scene, options.output_directory, options.live, communicator);
+    simulation.run();
+    if (scene.output.error_estimate_levels == 0)
+      return;
+    levels.push_back({scene.lattice.spacing, simulation.summary().results});
+    simulation.report_error_bars(error_bars(levels));
+  }
+} // namespace whipple
