@@ -71,7 +71,11 @@ def error_label(study, headline):
 
 def plain_number(value, _):
     """0.01 rather than 10^-2, where it is as short."""
-    return f"{value:g}" if 1e-3 <= value < 1e4 else f"$10^{{{round(math.log10(value))}}}$"
+    if 1e-3 <= value < 1e4:
+        return f"{value:g}"
+    power = math.floor(math.log10(value) + 1e-9)
+    digit = round(value / 10**power)
+    return (f"${digit}\\cdot" if digit > 1 else "$") + f"10^{{{power}}}$"
 
 
 def logarithmic(axes, cells=None):

@@ -11,7 +11,7 @@
 
 namespace whipple::figure
 {
-  /// Enter a measured figure into the table of doc/verification.md (scripts/verification_table.py reads it from the
+  /// Enter a measured figure into the table of doc/verification.md (scripts/verification_page.py reads it from the
   /// test program's JSON output).
   /// @param what     what is measured, unit included
   /// @param required what must hold, as text

@@ -21,6 +21,9 @@ namespace whipple::convergence
       return std::expm1(p * log_r32) / -std::expm1(-p * log_r21);
     }
 
+    /// Values that differ by less than this part of them are equal: conserved sums, for one.
+    constexpr double round_off = 1e-11;
+
     double
     trusted(double order)
     {
@@ -44,7 +47,7 @@ namespace whipple::convergence
 
       Estimate result;
       result.finest = fine.value;
-      if (e21 == 0)
+      if (std::abs(e21) <= round_off * std::max(std::abs(low), std::abs(high)))
         {
           // most likely a value that can only take steps: it has not moved yet
           result.verdict      = Verdict::unchanging;

@@ -66,10 +66,12 @@ namespace whipple::report
   } // namespace
 
   bool
-  in_tables(const StudyPlan &plan, const Quantity &result)
+  in_tables(const StudyReport &report, const Quantity &result)
   {
-    const std::vector<std::string> &names = plan.section.results;
-    return names.empty() || std::find(names.begin(), names.end(), result.place + '/' + result.name) != names.end();
+    const std::vector<std::string> &names = report.plan.section.results;
+    if (names.empty())
+      return report.analysis.errors.empty();
+    return std::find(names.begin(), names.end(), result.place + '/' + result.name) != names.end();
   }
 
   std::vector<Quantity>

@@ -90,10 +90,10 @@ namespace whipple::report
       for (const double cell : cells)
         columns.push_back(cell_text(cell));
       columns.insert(columns.end(), {"order", "limit", "error bar", "convergence"});
-      std::string text = "\n### " + series.label + "\n\n" + head(columns);
+      std::string rows;
       for (const Trend &trend : series.results)
         {
-          if (trend.levels.empty() || !in_tables(report.plan, trend.quantity))
+          if (trend.levels.empty() || !in_tables(report, trend.quantity))
             continue;
           std::vector<std::string> line{trend.quantity.readable()};
           for (const double cell : cells)
@@ -107,9 +107,9 @@ namespace whipple::report
           line.push_back(e.extrapolated ? digits(*e.extrapolated, value_digits) : "");
           line.push_back(e.error_bar ? "± " + digits(*e.error_bar, error_digits) : "");
           line.push_back(convergence::name(e.verdict));
-          text += row(line);
+          rows += row(line);
         }
-      return text;
+      return rows.empty() ? rows : "\n### " + series.label + "\n\n" + head(columns) + rows;
     }
 
     std::string

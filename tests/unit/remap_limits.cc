@@ -120,3 +120,35 @@ TEST(RemapLimits, PistonKeepsItsVelocityAndItsWorkIsBooked)
   EXPECT_NEAR(after.kinetic + left.kinetic + report.kinetic_lost, before.kinetic, 1e-13 * before.kinetic);
   EXPECT_NEAR(after.internal + left.internal - report.kinetic_heated, before.internal, 1e-13 * before.internal);
 }
+
+TEST(RemapLimits, CrumbsDoNotShrinkToNothing)
+{
+  // a block of cells that hold next to nothing, swept back and forth: handed on, shares of shares would reach
+  // denormal numbers and 0 / 0
+  const Mesh                   mesh = uniform_mesh(Symmetry::planar, 0.01, {8, 8});
+  whipple::DirectionalRemap<2> remap(mesh, boundaries(BoundaryKind::transmitting), {});
+  for (const double share : {1e-20, 1e-100, 1e-290})
+    {
+      State<2>                state = moving_block(mesh, 1e-9, 0.003, 0.);
+      whipple::MaterialState &m     = state.material[0];
+      for (Index c = 0; c < mesh.n_cells; ++c)
+        if (mesh.lower[1][c] > 0.025)
+          {
+            m.volume[c] *= share;
+            m.mass[c] *= share;
+          }
+      lump(mesh, state);
+      for (int step = 0; step < 20; ++step)
+        {
+          for (int d = 0; d < 2; ++d)
+            state.position[d] = mesh.node_point[d];
+          move_nodes(mesh, state, step % 2 ? 0.003 : -0.003);
+          remap_case::remap(remap, state, step % 2);
+          for (Index c = 0; c < mesh.n_cells; ++c)
+            {
+              ASSERT_TRUE(std::isfinite(m.mass[c])) << "share " << share << ", step " << step;
+              ASSERT_NEAR(m.density[c], m.mass[c] > 0 ? 2.7 : 0., 1e-3) << "share " << share << ", step " << step;
+            }
+        }
+    }
+}

@@ -25,9 +25,10 @@ namespace whipple::report
   std::vector<Quantity>
   headlines(const StudyReport &report);
 
-  /// The results that go into tables: those that the study names, or else all.
+  /// The results that go into tables: those that the study names, or else all if there are no errors against an exact
+  /// solution to show.
   bool
-  in_tables(const StudyPlan &plan, const Quantity &result);
+  in_tables(const StudyReport &report, const Quantity &result);
 
   /// A row for each point, with all numbers.
   std::string
