@@ -210,7 +210,7 @@ def cells_of(study):
 def save(figure, folder, name):
     for kind in ("png", "svg"):
         path = os.path.join(folder, f"{name}.{kind}")
-        figure.savefig(path, dpi=120)
+        figure.savefig(path, dpi=80)
         print(path)
     plt.close(figure)
 

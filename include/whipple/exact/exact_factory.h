@@ -17,13 +17,13 @@ namespace whipple::exact
   {
     std::string     name;
     Material        material;
-    MaterialRequest constants;     ///< of the material, those of the library filled in
-    Vector<dim>     lower, upper;  ///< bounding box, cm
-    bool            round = false; ///< the ball in that box, not all of it
-    Vector<dim>     velocity{};    ///< cm/us
-    double          density = 0;   ///< g/cm^3
-    double          energy  = 0;   ///< Mbar cm^3/g
-    double          deposit = 0;   ///< energy deposited, Mbar cm^3
+    MaterialRequest constants;        ///< of the material, those of the library filled in
+    Vector<dim>     lower{}, upper{}; ///< bounding box, cm
+    bool            round = false;    ///< the ball in that box, not all of it
+    Vector<dim>     velocity{};       ///< cm/us
+    double          density = 0;      ///< g/cm^3
+    double          energy  = 0;      ///< Mbar cm^3/g
+    double          deposit = 0;      ///< energy deposited, Mbar cm^3
   };
 
   /// What a scene says about its exact solution.
