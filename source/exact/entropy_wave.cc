@@ -12,16 +12,10 @@
 namespace whipple::exact
 {
   EntropyWave::EntropyWave(std::string name, const Constants &constants)
-    : name_(std::move(name))
+    : ExactSolution<2>(std::move(name))
     , constants(constants)
     , pressure_(fluid_point(*constants.eos, constants.density, constants.energy).pressure)
   {
-  }
-
-  std::string
-  EntropyWave::name() const
-  {
-    return name_;
   }
 
   PointState<2>
@@ -64,8 +58,8 @@ namespace whipple::exact
     constants.eos       = body.material.eos;
     constants.density   = fluid.density;
     constants.energy    = fluid.energy;
-    constants.velocity  = {{constant(request, "Velocity along axis 0"), constant(request, "Velocity along axis 1")}};
-    constants.centre    = {{constant(request, "Centre along axis 0"), constant(request, "Centre along axis 1")}};
+    constants.velocity  = vector_constant(request, "Velocity");
+    constants.centre    = vector_constant(request, "Centre");
     constants.radius    = positive_constant(request, "Radius");
     constants.amplitude = constant(request, "Amplitude");
     constants.start     = request.start;

@@ -11,15 +11,9 @@
 namespace whipple::exact
 {
   IsentropicVortex::IsentropicVortex(std::string name, const Constants &constants)
-    : name_(std::move(name))
+    : ExactSolution<2>(std::move(name))
     , constants(constants)
   {
-  }
-
-  std::string
-  IsentropicVortex::name() const
-  {
-    return name_;
   }
 
   PointState<2>
@@ -66,8 +60,8 @@ namespace whipple::exact
     constants.exponent = gas.exponent;
     constants.density  = fluid.density;
     constants.energy   = fluid.energy;
-    constants.drift    = {{constant(request, "Velocity along axis 0"), constant(request, "Velocity along axis 1")}};
-    constants.centre   = {{constant(request, "Centre along axis 0"), constant(request, "Centre along axis 1")}};
+    constants.drift    = vector_constant(request, "Velocity");
+    constants.centre   = vector_constant(request, "Centre");
     constants.radius   = positive_constant(request, "Radius");
     constants.speed    = positive_constant(request, "Speed");
     constants.start    = request.start;

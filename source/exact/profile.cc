@@ -9,19 +9,12 @@ namespace whipple::exact
   template <int dim>
   ProfileSolution<dim>::ProfileSolution(std::string name, std::unique_ptr<const Profile> profile, Geometry geometry,
                                         Symmetry symmetry, double start)
-    : name_(std::move(name))
+    : ExactSolution<dim>(std::move(name))
     , profile_(std::move(profile))
     , geometry_(geometry)
     , symmetry_(symmetry)
     , start_(start)
   {
-  }
-
-  template <int dim>
-  std::string
-  ProfileSolution<dim>::name() const
-  {
-    return name_;
   }
 
   template <int dim>

@@ -49,6 +49,12 @@ namespace whipple::exact
     return found->second;
   }
 
+  Vector<2>
+  vector_constant(const ExactRequest<2> &request, const std::string &key)
+  {
+    return {{constant(request, key + " along axis 0"), constant(request, key + " along axis 1")}};
+  }
+
   double
   positive_constant(const ExactRequest<2> &request, const std::string &key)
   {

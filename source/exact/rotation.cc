@@ -10,15 +10,9 @@
 namespace whipple::exact
 {
   Rotation::Rotation(std::string name, const Constants &constants)
-    : name_(std::move(name))
+    : ExactSolution<2>(std::move(name))
     , constants(constants)
   {
-  }
-
-  std::string
-  Rotation::name() const
-  {
-    return name_;
   }
 
   PointState<2>

@@ -45,25 +45,13 @@ namespace whipple::exact
   }
 
   SoundWave::SoundWave(std::string name, const Constants &constants)
-    : name_(std::move(name))
+    : ExactSolution<2>(std::move(name))
     , constants(constants)
   {
     const FluidPoint rest = fluid_point(*constants.eos, constants.density, constants.energy);
     pressure_             = rest.pressure;
     sound_speed_          = rest.sound_speed;
     frequency_            = sound_speed_ * std::hypot(constants.wave_number[0], constants.wave_number[1]);
-  }
-
-  std::string
-  SoundWave::name() const
-  {
-    return name_;
-  }
-
-  double
-  SoundWave::period() const
-  {
-    return 2. * pi / frequency_;
   }
 
   PointState<2>

@@ -10,16 +10,10 @@
 namespace whipple::exact
 {
   Translation::Translation(std::string name, std::vector<FlyingBody> bodies, double start)
-    : name_(std::move(name))
+    : ExactSolution<2>(std::move(name))
     , bodies_(std::move(bodies))
     , start_(start)
   {
-  }
-
-  std::string
-  Translation::name() const
-  {
-    return name_;
   }
 
   PointState<2>

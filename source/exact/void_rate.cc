@@ -62,18 +62,12 @@ namespace whipple::exact
   }
 
   VoidRelaxation::VoidRelaxation(std::string name, const VoidRate &law, double density, double energy, double start)
-    : name_(std::move(name))
+    : ExactSolution<2>(std::move(name))
     , law_(law)
     , density_(density)
     , energy_(energy)
     , start_(start)
   {
-  }
-
-  std::string
-  VoidRelaxation::name() const
-  {
-    return name_;
   }
 
   PointState<2>

@@ -86,13 +86,9 @@ namespace
   {
   public:
     explicit Smooth(double shift = 0)
-      : shift_(shift)
+      : exact::ExactSolution<2>("smooth")
+      , shift_(shift)
     {
-    }
-    std::string
-    name() const override
-    {
-      return "smooth";
     }
     exact::PointState<2>
     at(const Vector<2> &x, double) const override

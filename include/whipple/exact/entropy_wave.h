@@ -28,15 +28,12 @@ namespace whipple::exact
 
     EntropyWave(std::string name, const Constants &constants);
 
-    std::string
-    name() const override;
     PointState<2>
     at(const Vector<2> &x, double time) const override;
 
   private:
-    std::string name_;
-    Constants   constants;
-    double      pressure_;
+    Constants constants;
+    double    pressure_;
   };
 
   ExactKind

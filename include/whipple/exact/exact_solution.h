@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whipple::exact
@@ -29,11 +30,18 @@ namespace whipple::exact
   class ExactSolution
   {
   public:
+    explicit ExactSolution(std::string name)
+      : name_(std::move(name))
+    {
+    }
     virtual ~ExactSolution() = default;
 
     /// Name in scene files, "noh".
-    virtual std::string
-    name() const = 0;
+    const std::string &
+    name() const
+    {
+      return name_;
+    }
 
     /// State at a point and a time since the start of the run.
     virtual PointState<dim>
@@ -67,5 +75,8 @@ namespace whipple::exact
     {
       return std::nullopt;
     }
+
+  private:
+    std::string name_;
   };
 } // namespace whipple::exact

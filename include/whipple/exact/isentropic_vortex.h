@@ -30,14 +30,11 @@ namespace whipple::exact
 
     IsentropicVortex(std::string name, const Constants &constants);
 
-    std::string
-    name() const override;
     PointState<2>
     at(const Vector<2> &x, double time) const override;
 
   private:
-    std::string name_;
-    Constants   constants;
+    Constants constants;
   };
 
   ExactKind

@@ -60,8 +60,6 @@ namespace whipple::exact
     ProfileSolution(std::string name, std::unique_ptr<const Profile> profile, Geometry geometry, Symmetry symmetry,
                     double start);
 
-    std::string
-    name() const override;
     PointState<dim>
     at(const Vector<dim> &x, double time) const override;
     bool
@@ -74,7 +72,6 @@ namespace whipple::exact
     shock_position(double time) const override;
 
   private:
-    std::string                    name_;
     std::unique_ptr<const Profile> profile_;
     Geometry                       geometry_;
     Symmetry                       symmetry_;

@@ -28,6 +28,10 @@ namespace whipple::exact
   double
   constant(const ExactRequest<2> &request, const std::string &key);
 
+  /// The constants "KEY along axis 0" and "KEY along axis 1".
+  Vector<2>
+  vector_constant(const ExactRequest<2> &request, const std::string &key);
+
   /// A constant that must be > 0.
   double
   positive_constant(const ExactRequest<2> &request, const std::string &key);

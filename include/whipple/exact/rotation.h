@@ -27,16 +27,12 @@ namespace whipple::exact
 
     Rotation(std::string name, const Constants &constants);
 
-    std::string
-    name() const override;
-
     /// Density 0 outside; the velocity goes on there, for nodes of cells that the rim cuts.
     PointState<2>
     at(const Vector<2> &x, double time) const override;
 
   private:
-    std::string name_;
-    Constants   constants;
+    Constants constants;
   };
 
   ExactKind

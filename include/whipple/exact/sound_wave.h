@@ -31,19 +31,12 @@ namespace whipple::exact
 
     SoundWave(std::string name, const Constants &constants);
 
-    std::string
-    name() const override;
     PointState<2>
     at(const Vector<2> &x, double time) const override;
 
-    /// Time of one oscillation, us.
-    double
-    period() const;
-
   private:
-    std::string name_;
-    Constants   constants;
-    double      pressure_, sound_speed_, frequency_;
+    Constants constants;
+    double    pressure_, sound_speed_, frequency_;
   };
 
   ExactKind

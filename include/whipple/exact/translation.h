@@ -21,15 +21,11 @@ namespace whipple::exact
 
     Translation(std::string name, std::vector<FlyingBody> bodies, double start);
 
-    std::string
-    name() const override;
-
     /// Density 0 in the vacuum.
     PointState<2>
     at(const Vector<2> &x, double time) const override;
 
   private:
-    std::string             name_;
     std::vector<FlyingBody> bodies_;
     double                  start_;
   };

@@ -59,15 +59,12 @@ namespace whipple::exact
     /// @param energy  Mbar cm^3/g
     VoidRelaxation(std::string name, const VoidRate &law, double density, double energy, double start);
 
-    std::string
-    name() const override;
     PointState<2>
     at(const Vector<2> &x, double time) const override;
 
   private:
-    std::string name_;
-    VoidRate    law_;
-    double      density_, energy_, start_;
+    VoidRate law_;
+    double   density_, energy_, start_;
   };
 
   ExactKind
