@@ -6,6 +6,16 @@
 namespace whipple
 {
   template <int dim>
+  GatherReport<dim>
+  sum_over_ranks(GatherReport<dim> report, MPI_Comm communicator)
+  {
+    report.kinetic_loss = sum_over_ranks(report.kinetic_loss, communicator);
+    for (double &impulse : report.wall_impulse)
+      impulse = sum_over_ranks(impulse, communicator);
+    return report;
+  }
+
+  template <int dim>
   void
   clear_state(const FieldLayout &layout, Domain<dim> &domain)
   {
@@ -26,11 +36,7 @@ namespace whipple
       unpack(layout, packets[domain.view->leaf_of_cell[c]], domain.state, c, corners);
     exchange_cells(fields, domain.view->halo, domain.state);
     exchange_corners(domain.view->halo, corners);
-    GatherReport<dim> report = gather_velocities(mesh, boundaries, corners, loss, domain.state);
-    report.kinetic_loss      = sum_over_ranks(report.kinetic_loss, domain.communicator());
-    for (double &impulse : report.wall_impulse)
-      impulse = sum_over_ranks(impulse, domain.communicator());
-    return report;
+    return sum_over_ranks(gather_velocities(mesh, boundaries, corners, loss, domain.state), domain.communicator());
   }
 
   template <int dim>
@@ -51,6 +57,7 @@ namespace whipple
     halo.exchange(std::vector<std::vector<double> *>{&corners.kinetic_remainder}, {});
   }
 
+  template GatherReport<2> sum_over_ranks(GatherReport<2>, MPI_Comm);
   template void
   clear_state(const FieldLayout &, Domain<2> &);
   template GatherReport<2>

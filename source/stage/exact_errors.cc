@@ -64,16 +64,6 @@ namespace whipple
       return value;
     }
 
-    template <int dim>
-    Vector<dim>
-    middle(const geometry::Quad &x)
-    {
-      Vector<dim> point;
-      for (int d = 0; d < dim; ++d)
-        point[d] = 0.25 * (x[d][0] + x[d][1] + x[d][2] + x[d][3]);
-      return point;
-    }
-
     /// Errors of the nodes at the corners of a cell.
     template <int dim>
     void
@@ -107,7 +97,7 @@ namespace whipple
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
         const geometry::Quad x = cell_corners(mesh, state, c);
-        if (!solution.counts(middle<dim>(x), state.time))
+        if (!solution.counts(cell_middle(x), state.time))
           continue;
         const double          volume = state.volume[c];
         const ExactMeans<dim> exact =

@@ -195,10 +195,8 @@ namespace whipple
     domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
     domain.view->halo.exchange(
         {}, std::vector<std::vector<double> *>{&domain.state.velocity[0], &domain.state.velocity[1]});
-    GatherReport<dim> gathered{sum_over_ranks(report.kinetic_loss, communicator), report.wall_impulse};
-    for (double &impulse : gathered.wall_impulse)
-      impulse = sum_over_ranks(impulse, communicator);
-    ledger.gathered("projection", gathered, stage.lost_kinetic_energy);
+    const GatherReport<dim> own{report.kinetic_loss, report.wall_impulse};
+    ledger.gathered("projection", sum_over_ranks(own, communicator), stage.lost_kinetic_energy);
     if (select)
       spread(stage, domain, ledger);
   }

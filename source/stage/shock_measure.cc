@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/mesh/gather.h>
 #include <whipple/stage/initial_state.h>
 #include <whipple/stage/shock_measure.h>
 
@@ -70,14 +71,7 @@ namespace whipple
     std::vector<Sample>
     samples_of_all_ranks(const std::vector<Sample> &own, MPI_Comm communicator)
     {
-      int ranks = 1, count = static_cast<int>(2 * own.size());
-      MPI_Comm_size(communicator, &ranks);
-      std::vector<int> counts(ranks), begin(ranks, 0);
-      MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
-      for (int r = 1; r < ranks; ++r)
-        begin[r] = begin[r - 1] + counts[r - 1];
-      std::vector<Sample> all((begin.back() + counts.back()) / 2);
-      MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), begin.data(), MPI_DOUBLE, communicator);
+      std::vector<Sample> all = gather_all<Sample>(communicator, own).entry;
       std::sort(all.begin(), all.end());
       return all;
     }
@@ -136,14 +130,7 @@ namespace whipple
         std::vector<Sample> own;
         for (Index c = 0; c < mesh.n_owned; ++c)
           if (const geometry::Quad x = cell_corners(mesh, state, c); meets(ray, x))
-            {
-              double mass = 0;
-              for (const MaterialState &m : state.material)
-                mass += m.mass[c];
-              const Vector<2> middle{
-                  {0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]), 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3])}};
-              own.push_back({*scene.exact->profile_coordinate(middle), mass / state.volume[c]});
-            }
+            own.push_back({*scene.exact->profile_coordinate(cell_middle(x)), cell_mass(state, c) / state.volume[c]});
         if (const auto x = nearest_crossing(samples_of_all_ranks(own, communicator), level, *shock))
           found.push_back(*x);
       }

@@ -27,6 +27,11 @@ namespace whipple
     }
   };
 
+  /// What a gather did on all ranks.
+  template <int dim>
+  GatherReport<dim>
+  sum_over_ranks(GatherReport<dim> report, MPI_Comm communicator);
+
   /// A state without material on the present view, at undeformed positions; the time stays.
   template <int dim>
   void

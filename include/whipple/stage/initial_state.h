@@ -26,6 +26,13 @@ namespace whipple
   geometry::QuadOf<double>
   cell_corners(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell);
 
+  /// Mean of a cell's corners.
+  inline Vector<2>
+  cell_middle(const geometry::Quad &x)
+  {
+    return {{0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]), 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3])}};
+  }
+
   /// Fills the cells of bodies with the exact solution of a scene: mean density and energy over the cell (where the
   /// solution has material; of a cell that the body cuts, that of the whole cell), and the velocity of the solution at
   /// the nodes, so that smooth flows start with errors of second order. Hanging nodes follow their masters.

@@ -71,7 +71,6 @@ namespace whipple
     AgreedTimeStep              limit_{};
     double                      wall_start_;
     double                      end_time_           = 0; ///< us; of stages that end at a time
-    double                      start_point_        = 0; ///< cm; foremost point at the start
     double                      last_dt_            = 0; ///< us; 0 before the first step
     double                      caution_            = 1; ///< factor on the time step after a retry
     long                        cells_              = 0; ///< active cells of all ranks
