@@ -128,6 +128,21 @@ namespace whipple
   }
 
   template <int dim>
+  typename NodeMotion<dim>::Edge
+  NodeMotion<dim>::edge(const LoadedFace &face, const StepWork<dim> &work) const
+  {
+    Edge edge;
+    for (int i = 0; i < 2; ++i)
+      edge.node[i] = mesh_.cell_node[face.cell * 4 + face.corner[i]];
+    const auto &x = work.half_position;
+    for (int d = 0; d < dim; ++d)
+      edge.along[d] = x[d][edge.node[1]] - x[d][edge.node[0]];
+    edge.length = std::sqrt(edge.along[0] * edge.along[0] + edge.along[1] * edge.along[1]);
+    edge.area   = end_areas(mesh_.symmetry, {x[0][edge.node[0]], x[0][edge.node[1]]}, edge.length);
+    return edge;
+  }
+
+  template <int dim>
   void
   NodeMotion<dim>::press(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work)
   {
@@ -135,17 +150,13 @@ namespace whipple
     for (const MaterialState &m : state.material)
       material += m.volume[face.cell];
     const double p  = boundaries_[face.side].pressure * std::min(1., material / state.volume[face.cell]);
-    const Index  a  = mesh_.cell_node[face.cell * 4 + face.corner[0]],
-                b   = mesh_.cell_node[face.cell * 4 + face.corner[1]];
-    const auto  &x  = work.half_position;
-    const double dr = x[0][b] - x[0][a], dz = x[1][b] - x[1][a], length = std::sqrt(dr * dr + dz * dz);
-    if (length == 0)
+    const Edge   at = edge(face, work);
+    if (at.length == 0)
       return;
-    const auto area = end_areas(mesh_.symmetry, {x[0][a], x[0][b]}, length);
     for (int i = 0; i < 2; ++i)
       {
-        traction_[0][i ? b : a] -= p * area[i] * dz / length;
-        traction_[1][i ? b : a] += p * area[i] * dr / length;
+        traction_[0][at.node[i]] -= p * at.area[i] * at.along[1] / at.length;
+        traction_[1][at.node[i]] += p * at.area[i] * at.along[0] / at.length;
       }
   }
 
@@ -153,11 +164,7 @@ namespace whipple
   void
   NodeMotion<dim>::absorb(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work)
   {
-    const std::array<Index, 2> node{mesh_.cell_node[face.cell * 4 + face.corner[0]],
-                                    mesh_.cell_node[face.cell * 4 + face.corner[1]]};
-    const auto                &x  = work.half_position;
-    const double               dr = x[0][node[1]] - x[0][node[0]], dz = x[1][node[1]] - x[1][node[0]];
-    const auto area      = end_areas(mesh_.symmetry, {x[0][node[0]], x[0][node[1]]}, std::sqrt(dr * dr + dz * dz));
+    const Edge at        = edge(face, work);
     const auto impedance = impedances(state, work, face.cell);
     for (int d = 0; d < dim; ++d)
       {
@@ -165,13 +172,13 @@ namespace whipple
         double                absorbing = 0, available = 0;
         for (int i = 0; i < 2; ++i)
           {
-            force[i] = -impedance[d == face.side / 2 ? 0 : 1] * area[i] * state.velocity[d][node[i]];
+            force[i] = -impedance[d == face.side / 2 ? 0 : 1] * at.area[i] * state.velocity[d][at.node[i]];
             absorbing += std::abs(force[i]);
             available += work.corner_force[(face.cell * 4 + face.corner[i]) * dim + d];
           }
         const double share = absorbed_share(absorbing, std::abs(available));
         for (int i = 0; i < 2; ++i)
-          traction_[d][node[i]] += share * force[i];
+          traction_[d][at.node[i]] += share * force[i];
       }
   }
 

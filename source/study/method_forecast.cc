@@ -11,12 +11,6 @@ namespace whipple
 {
   namespace
   {
-    std::string
-    series_label(const StudyPlan &plan, const StudyPoint &point)
-    {
-      return method_name(plan.section, point.choice);
-    }
-
     /// What an absolute error is divided by to compare it with the tolerance; none if the value is 0 or not known.
     std::optional<double>
     scale_of(const std::vector<PointOutcome> &levels, const Tolerance &tolerance, const convergence::Estimate &estimate)
@@ -115,7 +109,7 @@ namespace whipple
     for (std::size_t i = 0; i < plan.points.size(); ++i)
       {
         const StudyPoint &point = plan.points[i];
-        if (series_label(plan, point) != label)
+        if (method_name(plan.section, point.choice) != label)
           continue;
         CellForecast row{i, point.cell, now.law(point.cell), cost.seconds(point.cell), false};
         for (const PointOutcome &outcome : coarse)

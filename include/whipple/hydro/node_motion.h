@@ -50,6 +50,14 @@ namespace whipple
       int                side;
       std::array<int, 2> corner; ///< corners of the cell on the face, the cell to the left of the way between them
     };
+    /// Where a loaded face is in the middle of the step.
+    struct Edge
+    {
+      std::array<Index, 2>  node;
+      Vector<dim>           along;  ///< from the first node to the second, cm
+      double                length; ///< cm
+      std::array<double, 2> area;   ///< that each end carries, cm^2
+    };
     /// A node whose velocity sides prescribe.
     struct ConstrainedNode
     {
@@ -58,6 +66,8 @@ namespace whipple
       std::array<int, dim> side;  ///< that rules each component, `none` if it is free
     };
 
+    Edge
+    edge(const LoadedFace &face, const StepWork<dim> &work) const;
     void
     absorb(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work);
     void
