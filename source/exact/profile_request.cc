@@ -34,10 +34,10 @@ namespace whipple::exact
       throw InputError("exact solution '" + request.name + "': the scene has " + std::to_string(request.bodies.size()) +
                        " bodies: must have one, of an ideal gas");
     const BodyState<2> &body = request.bodies.front();
-    if (body.constants.equation_of_state != "ideal gas" || !body.constants.adiabatic_exponent)
+    if (body.constants.equation_of_state != "ideal gas")
       throw InputError("exact solution '" + request.name + "': body '" + body.name + "' is a '" +
                        body.constants.equation_of_state + "': must be an 'ideal gas'");
-    return {*body.constants.adiabatic_exponent, body.density, body.energy};
+    return {body.constants.constants.at("Adiabatic exponent"), body.density, body.energy};
   }
 
   double

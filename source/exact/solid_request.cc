@@ -28,15 +28,15 @@ namespace whipple::exact
   elastic_constants(const BodyState<2> &body)
   {
     ElasticConstants constants;
-    const double     bulk_speed = fluid_point(*body.material.eos, body.density, body.energy).sound_speed;
-    constants.density           = body.density;
-    constants.bulk_modulus      = body.density * bulk_speed * bulk_speed;
+    const FluidPoint point = fluid_point(*body.material.eos, body.density, body.energy);
+    constants.density      = body.density;
+    constants.bulk_modulus = body.density * point.sound_speed * point.sound_speed;
     if (body.material.strength)
       {
-        const double plastic_strain = 0;
-        double       yield_stress   = 0;
-        body.material.strength->evaluate({&body.density, 1}, {&body.energy, 1}, {&plastic_strain, 1},
-                                         {&constants.shear_modulus, 1}, {&yield_stress, 1});
+        const double        zero = 0;
+        double              yield_stress;
+        const StrengthInput state{{&body.density, 1}, {&body.energy, 1}, {&point.pressure, 1}, {&zero, 1}, {&zero, 1}};
+        body.material.strength->evaluate(state, {&constants.shear_modulus, 1}, {&yield_stress, 1});
       }
     return constants;
   }

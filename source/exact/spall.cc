@@ -150,8 +150,8 @@ namespace whipple::exact
     if (!(constants.velocity > 0))
       throw InputError(what + "bodies '" + flyer->name + "' and '" + target->name + "' must approach each other");
     if (target->material.void_law)
-      constants.strength = target->constants.spall_strength * elastic.density * elastic.wave_speed() *
-                           elastic.wave_speed() / elastic.bulk_modulus;
+      constants.strength = target->constants.constant_or("Spall strength", 0.) * elastic.density *
+                           elastic.wave_speed() * elastic.wave_speed() / elastic.bulk_modulus;
     return std::make_unique<ProfileSolution<2>>(request.name, std::make_unique<Spall>(constants), Geometry::planar,
                                                 request.symmetry, request.start);
   }

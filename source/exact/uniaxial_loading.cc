@@ -30,7 +30,7 @@ namespace whipple::exact
     strength_point(const Strength &strength, double density, double energy, double plastic_strain)
     {
       StrengthPoint point{};
-      strength.evaluate({&density, 1}, {&energy, 1}, {&plastic_strain, 1}, {&point.shear_modulus, 1},
+      strength.evaluate({{&density, 1}, {&energy, 1}, {}, {&plastic_strain, 1}, {}}, {&point.shear_modulus, 1},
                         {&point.yield_stress, 1});
       return point;
     }
@@ -43,6 +43,10 @@ namespace whipple::exact
   {
     if (!material.strength)
       return;
+    if (material.strength->softens())
+      throw InputError(
+          "exact solution: no waves are known for the strength '" + material.strength->name() +
+          "': it must depend on the plastic strain alone, as 'perfectly plastic' and 'linear hardening' do");
     const StrengthPoint point = strength_point(*material.strength, density, energy, 0.);
     if (!(point.yield_stress > 0))
       return;

@@ -93,19 +93,21 @@ namespace whipple::exact
     const std::string      what = "exact solution '" + request.name + "': ";
     const BodyState<2>    &body = only_fluid(request);
     const MaterialRequest &law  = body.constants;
-    const auto             zero = [](const std::optional<double> &value) { return value.value_or(0.) == 0.; };
-    if (law.equation_of_state != "linear polynomial" || !law.c1 || !zero(law.c2) || !zero(law.c3) || !zero(law.c4) ||
-        !zero(law.c5) || !zero(law.c6))
+    const double           c1 = law.constant_or("C1", 0.), alpha = law.constant_or("Alpha", 0.);
+    if (law.equation_of_state != "linear polynomial" || c1 == 0. || law.constant_or("C2", 0.) != 0. ||
+        law.constant_or("C3", 0.) != 0. || law.constant_or("C4", 0.) != 0. || law.constant_or("C5", 0.) != 0. ||
+        law.constant_or("C6", 0.) != 0.)
       throw InputError(what + "body '" + body.name + "' must have a 'linear polynomial' law with C1 alone");
-    if (law.void_law != "rate" || !body.material.void_law || law.spall_strength != 0. || !std::isfinite(law.alpha))
+    if (law.void_law != "rate" || !body.material.void_law || law.constant_or("Spall strength", 0.) != 0. ||
+        !std::isfinite(alpha))
       throw InputError(what + "body '" + body.name +
                        "' must have the void law 'rate' with a finite Alpha and no spall strength, and the effect "
                        "'voids' on");
     const double reference = body.material.eos->reference_density();
     if (body.velocity != Vector<2>{} || !(body.density < reference))
       throw InputError(what + "body '" + body.name + "' must be at rest and below its reference density");
-    return std::make_unique<VoidRelaxation>(
-        request.name, VoidRate(VoidRate::Constants{reference, *law.c1, law.alpha, body.density, 0.}), body.density,
-        body.energy, request.start);
+    return std::make_unique<VoidRelaxation>(request.name,
+                                            VoidRate(VoidRate::Constants{reference, c1, alpha, body.density, 0.}),
+                                            body.density, body.energy, request.start);
   }
 } // namespace whipple::exact

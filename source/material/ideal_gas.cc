@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/common_constants.h>
 #include <whipple/material/ideal_gas.h>
+#include <whipple/material/model_registry.h>
 #include <whipple/material/parameter_check.h>
 
 namespace whipple
@@ -57,4 +59,16 @@ namespace whipple
   {
     return "ideal gas";
   }
+
+  namespace
+  {
+    const Registration<EquationOfState> registration(
+        {.name          = "ideal gas",
+         .summary       = "gamma law",
+         .documentation = "P = (k - 1) gamma e. The density is only a typical one, for bodies that name none.",
+         .constants     = {common_constants::adiabatic_exponent, common_constants::density},
+         .source        = "doc/theory/equation_of_state.md",
+         .published     = {}},
+        [](const ModelInput &c) { return std::make_shared<IdealGas>(c("Adiabatic exponent"), c("Density")); });
+  } // namespace
 } // namespace whipple

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/common_constants.h>
 #include <whipple/material/linear_polynomial.h>
+#include <whipple/material/model_registry.h>
 #include <whipple/material/parameter_check.h>
 
 #include <algorithm>
@@ -114,4 +116,57 @@ namespace whipple
   {
     return "linear polynomial";
   }
+
+  namespace
+  {
+    ModelConstant
+    coefficient(const std::string &key, const std::string &quantity, const std::string &term)
+    {
+      return {key, quantity, "coefficient of " + term + " in the linear polynomial", Range::any(), {}, true};
+    }
+
+    /// Needed only where c1 is not given.
+    ModelConstant
+    optional(ModelConstant constant)
+    {
+      constant.optional = true;
+      return constant;
+    }
+
+    ModelDescription
+    description()
+    {
+      using namespace common_constants;
+      return {
+          .name          = "linear polynomial",
+          .summary       = "DYNA form 1, as in 1993",
+          .documentation = "P = c1 mu + c2 max(mu, 0)^2 + c3 mu^3 + (c4 + c5 mu + c6 max(mu, 0)^2) gamma0 e, "
+                           "mu = gamma/gamma0 - 1. Without C1, all six are the expansion of the mie-grueneisen law of "
+                           "the same material to third order.",
+          .constants     = {density, optional(sound_speed), optional(hugoniot_slope), optional(grueneisen),
+                            coefficient("C1", "pressure", "mu"), coefficient("C2", "pressure", "max(mu, 0)^2"),
+                            coefficient("C3", "pressure", "mu^3"), coefficient("C4", "pure number", "E"),
+                            coefficient("C5", "pure number", "mu E"), coefficient("C6", "pure number", "max(mu, 0)^2 E")},
+          .source        = "E. P. Fahrenthold, Int. J. Impact Engng 14 (1993) 229-240, equation (8b)",
+          .published     = {}};
+    }
+
+    std::shared_ptr<const EquationOfState>
+    make(const ModelInput &c)
+    {
+      LinearPolynomial::Constants polynomial{.reference_density = c("Density")};
+      if (!c.find("C1"))
+        polynomial = LinearPolynomial::expansion_of(
+            {c("Density"), c("Sound speed"), c("Hugoniot slope"), c("Grueneisen coefficient")});
+      polynomial.c1 = c.find("C1").value_or(polynomial.c1);
+      polynomial.c2 = c.find("C2").value_or(polynomial.c2);
+      polynomial.c3 = c.find("C3").value_or(polynomial.c3);
+      polynomial.c4 = c.find("C4").value_or(polynomial.c4);
+      polynomial.c5 = c.find("C5").value_or(polynomial.c5);
+      polynomial.c6 = c.find("C6").value_or(polynomial.c6);
+      return std::make_shared<LinearPolynomial>(polynomial);
+    }
+
+    const Registration<EquationOfState> registration(description(), make);
+  } // namespace
 } // namespace whipple

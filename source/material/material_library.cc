@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/material/material_factory.h>
 #include <whipple/material/material_library.h>
+
+#include <map>
+#include <set>
 
 namespace whipple
 {
@@ -52,12 +56,37 @@ namespace whipple
     return library;
   }
 
-  const MaterialConstants &
-  find_material(const std::string &name)
+  std::optional<double>
+  MaterialConstants::find(const std::string &key) const
+  {
+    static const std::map<std::string, double MaterialConstants::*> members{
+        {"Density", &MaterialConstants::density},
+        {"Sound speed", &MaterialConstants::sound_speed},
+        {"Hugoniot slope", &MaterialConstants::hugoniot_slope},
+        {"Grueneisen coefficient", &MaterialConstants::grueneisen},
+        {"Shear modulus", &MaterialConstants::shear_modulus},
+        {"Yield stress", &MaterialConstants::yield_stress},
+        {"Specific heat", &MaterialConstants::specific_heat},
+        {"Melt temperature", &MaterialConstants::melt_temperature},
+    };
+    const auto member = members.find(key);
+    return member == members.end() ? std::nullopt : std::optional<double>(this->*member->second);
+  }
+
+  const MaterialConstants *
+  find_in_library(const std::string &name)
   {
     for (const MaterialConstants &constants : material_library())
       if (constants.name == name)
-        return constants;
+        return &constants;
+    return nullptr;
+  }
+
+  const MaterialConstants &
+  find_material(const std::string &name)
+  {
+    if (const MaterialConstants *constants = find_in_library(name))
+      return *constants;
     std::string list;
     for (const std::string &known : material_names())
       list += (list.empty() ? "" : ", ") + known;
@@ -67,10 +96,14 @@ namespace whipple
   std::vector<std::string>
   material_names()
   {
-    std::vector<std::string> names;
+    std::set<std::string> names;
     for (const MaterialConstants &constants : material_library())
-      names.push_back(constants.name);
-    return names;
+      names.insert(constants.name);
+    for (const ModelFamily &family : model_families())
+      for (const ModelDescription &model : family.models)
+        for (const PublishedConstants &published : model.published)
+          names.insert(published.material);
+    return {names.begin(), names.end()};
   }
 
   double

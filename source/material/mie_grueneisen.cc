@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/common_constants.h>
 #include <whipple/material/mie_grueneisen.h>
+#include <whipple/material/model_registry.h>
 #include <whipple/material/parameter_check.h>
-
-#include <algorithm>
+#include <whipple/material/reference_curve.h>
 
 namespace whipple
 {
-  namespace
-  {
-    /// P_ref / K and (gamma0 / K) dP_ref/dgamma of the reference curve, a function of v = gamma0/gamma alone.
-    /// Both branches are computed and the right one taken, so that loops over it vectorise.
-    struct ReferenceCurve
-    {
-      double pressure;
-      double slope;
-    };
-
-    inline ReferenceCurve
-    reference_curve(double gamma_over_gamma0, double v, double s, double grueneisen)
-    {
-      const double chi         = std::max(1. - v, 0.);
-      const double steepening  = 1. / (1. - s * chi);
-      const double steepening2 = steepening * steepening;
-      const double mu          = std::min(gamma_over_gamma0 - 1., 0.);
-      const double mu2         = mu * mu;
-
-      const double compressed_slope = v * v * (1. + (s - grueneisen) * chi) * steepening2 * steepening;
-      const double expanded_slope   = 1. + mu2 * (2. + v) * v;
-      // One of chi and mu is zero, and with it its term.
-      return {chi * (1. - 0.5 * grueneisen * chi) * steepening2 + mu * (1. + mu2 * v),
-              chi > 0. ? compressed_slope : expanded_slope};
-    }
-  } // namespace
-
   MieGrueneisen::MieGrueneisen(const Constants &constants)
     : constants(constants)
   {
@@ -46,20 +20,20 @@ namespace whipple
   MieGrueneisen::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
                           std::span<double> sound_speed_squared) const
   {
-    const double gamma0        = constants.reference_density;
-    const double inverse       = 1. / gamma0;
-    const double c0c0          = constants.sound_speed * constants.sound_speed;
-    const double s             = constants.hugoniot_slope;
-    const double grueneisen    = constants.grueneisen;
-    const double bulk_modulus  = gamma0 * c0c0;
-    const double thermal       = grueneisen * gamma0;
-    const double thermal_slope = grueneisen * inverse;
+    const double         gamma0  = constants.reference_density;
+    const double         inverse = 1. / gamma0;
+    const double         c0c0    = constants.sound_speed * constants.sound_speed;
+    const LinearHugoniot hugoniot{constants.hugoniot_slope};
+    const double         grueneisen    = constants.grueneisen;
+    const double         bulk_modulus  = gamma0 * c0c0;
+    const double         thermal       = grueneisen * gamma0;
+    const double         thermal_slope = grueneisen * inverse;
 
     const std::size_t n = gamma.size();
     for (std::size_t i = 0; i < n; ++i)
       {
         const double         v         = gamma0 / gamma[i];
-        const ReferenceCurve reference = reference_curve(gamma[i] * inverse, v, s, grueneisen);
+        const ReferenceCurve reference = reference_curve(hugoniot, gamma[i] * inverse, v, grueneisen);
         const double         p         = bulk_modulus * reference.pressure + thermal * energy[i];
         pressure[i]                    = p;
         // (P / gamma^2) dP/de = P (Gamma0 / gamma0) v^2
@@ -71,17 +45,17 @@ namespace whipple
   MieGrueneisen::derivatives(std::span<const double> gamma, std::span<const double>, std::span<double> dp_dgamma,
                              std::span<double> dp_de) const
   {
-    const double gamma0     = constants.reference_density;
-    const double inverse    = 1. / gamma0;
-    const double c0c0       = constants.sound_speed * constants.sound_speed;
-    const double s          = constants.hugoniot_slope;
-    const double grueneisen = constants.grueneisen;
-    const double thermal    = grueneisen * gamma0;
+    const double         gamma0  = constants.reference_density;
+    const double         inverse = 1. / gamma0;
+    const double         c0c0    = constants.sound_speed * constants.sound_speed;
+    const LinearHugoniot hugoniot{constants.hugoniot_slope};
+    const double         grueneisen = constants.grueneisen;
+    const double         thermal    = grueneisen * gamma0;
 
     const std::size_t n = gamma.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        dp_dgamma[i] = c0c0 * reference_curve(gamma[i] * inverse, gamma0 / gamma[i], s, grueneisen).slope;
+        dp_dgamma[i] = c0c0 * reference_curve(hugoniot, gamma[i] * inverse, gamma0 / gamma[i], grueneisen).slope;
         dp_de[i]     = thermal;
       }
   }
@@ -93,7 +67,8 @@ namespace whipple
     const double gamma0 = constants.reference_density;
     const double reference =
         gamma0 * constants.sound_speed * constants.sound_speed *
-        reference_curve(gamma / gamma0, gamma0 / gamma, constants.hugoniot_slope, constants.grueneisen).pressure;
+        reference_curve(LinearHugoniot{constants.hugoniot_slope}, gamma / gamma0, gamma0 / gamma, constants.grueneisen)
+            .pressure;
     return (pressure - reference) / (constants.grueneisen * gamma0);
   }
 
@@ -115,4 +90,28 @@ namespace whipple
   {
     return "mie-grueneisen";
   }
+
+  namespace
+  {
+    ModelDescription
+    description()
+    {
+      using namespace common_constants;
+      return {.name    = "mie-grueneisen",
+              .summary = "solid about its Hugoniot U_s = c0 + s u",
+              .documentation =
+                  "Pressure on the Hugoniot K chi / (1 - s chi)^2, chi = 1 - gamma0/gamma, and off it "
+                  "Gamma0 gamma0 times the difference in energy. In expansion a linear law with a cubic term "
+                  "that keeps a zero of the pressure however hot the material is. No phases: what melts or "
+                  "boils keeps the pressure of a hot solid.",
+              .constants = {density, sound_speed, hugoniot_slope, grueneisen},
+              .source    = "doc/theory/equation_of_state.md; constants: the library",
+              .published = {}};
+    }
+
+    const Registration<EquationOfState> registration(description(), [](const ModelInput &c) {
+      return std::make_shared<MieGrueneisen>(
+          MieGrueneisen::Constants{c("Density"), c("Sound speed"), c("Hugoniot slope"), c("Grueneisen coefficient")});
+    });
+  } // namespace
 } // namespace whipple

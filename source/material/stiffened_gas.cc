@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/common_constants.h>
+#include <whipple/material/model_registry.h>
 #include <whipple/material/parameter_check.h>
 #include <whipple/material/stiffened_gas.h>
 
@@ -61,4 +63,20 @@ namespace whipple
   {
     return "stiffened gas";
   }
+
+  namespace
+  {
+    const Registration<EquationOfState> registration(
+        {.name    = "stiffened gas",
+         .summary = "liquid or soft solid: a gamma law with an offset of the pressure",
+         .documentation =
+             "P = (k - 1) gamma e + c0^2 (gamma - gamma0): exact Riemann solutions, no limit of compression.",
+         .constants = {common_constants::density, common_constants::sound_speed, common_constants::adiabatic_exponent},
+         .source    = "doc/theory/equation_of_state.md",
+         .published = {}},
+        [](const ModelInput &c) {
+          return std::make_shared<StiffenedGas>(
+              StiffenedGas::Constants{c("Density"), c("Sound speed"), c("Adiabatic exponent")});
+        });
+  } // namespace
 } // namespace whipple

@@ -37,14 +37,14 @@ namespace
     r.upper    = {{2., 2.}};
     r.start    = 1.;
     exact::BodyState<2> body;
-    body.name                         = "gas";
-    body.constants.equation_of_state  = "ideal gas";
-    body.constants.adiabatic_exponent = 1.4;
-    body.constants.density            = 1.;
-    body.material                     = make_material(body.constants);
-    body.upper                        = r.upper;
-    body.density                      = 1.;
-    r.bodies                          = {body};
+    body.name                                      = "gas";
+    body.constants.equation_of_state               = "ideal gas";
+    body.constants.constants["Adiabatic exponent"] = 1.4;
+    body.constants.constants["Density"]            = 1.;
+    body.material                                  = make_material(body.constants);
+    body.upper                                     = r.upper;
+    body.density                                   = 1.;
+    r.bodies                                       = {body};
     for (const exact::ExactKind &kind : exact::exact_kinds<2>())
       if (kind.name == name)
         for (const exact::ExactConstant &constant : kind.constants)

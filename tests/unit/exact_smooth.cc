@@ -118,9 +118,9 @@ namespace
   exact::ExactRequest<2>
   gas_request(const std::string &name)
   {
-    exact::ExactRequest<2> result                      = request(name, gas(), 1., 2.5);
-    result.bodies.front().constants.equation_of_state  = "ideal gas";
-    result.bodies.front().constants.adiabatic_exponent = 1.4;
+    exact::ExactRequest<2> result                                   = request(name, gas(), 1., 2.5);
+    result.bodies.front().constants.equation_of_state               = "ideal gas";
+    result.bodies.front().constants.constants["Adiabatic exponent"] = 1.4;
     return result;
   }
 
@@ -280,11 +280,11 @@ namespace
         std::make_shared<LinearPolynomial>(LinearPolynomial::Constants{.reference_density = 2.7, .c1 = 0.652});
     exact::ExactRequest<2> stretched = request("void relaxation", material, 2.6, 0.);
     EXPECT_THROW(exact::make_void_relaxation(stretched), InputError);
-    exact::BodyState<2> &body        = stretched.bodies.front();
-    body.constants.equation_of_state = "linear polynomial";
-    body.constants.c1                = 0.652;
-    body.constants.void_law          = "rate";
-    body.constants.alpha             = 3.;
+    exact::BodyState<2> &body         = stretched.bodies.front();
+    body.constants.equation_of_state  = "linear polynomial";
+    body.constants.constants["C1"]    = 0.652;
+    body.constants.void_law           = "rate";
+    body.constants.constants["Alpha"] = 3.;
     EXPECT_THROW(exact::make_void_relaxation(stretched), InputError); // the effect 'voids' is off
     body.material.void_law = std::make_shared<RateVoidLaw>(3., 0.);
     const auto solution    = exact::make_void_relaxation(stretched);

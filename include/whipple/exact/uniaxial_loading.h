@@ -44,6 +44,7 @@ namespace whipple::exact
   {
   public:
     /// @param density, energy of the solid at rest; it bears no deviatoric stress. G is that of this state.
+    /// @throws InputError if the strength depends on more than the plastic strain.
     UniaxialLoading(const Material &material, double density, double energy);
 
     /// The material at rest.

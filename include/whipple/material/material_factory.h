@@ -2,64 +2,75 @@
 #pragma once
 
 #include <whipple/material/material.h>
+#include <whipple/material/model_description.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace whipple
 {
-  /// What a scene asks a material to be. Constants left out come from the library material; a request
-  /// without a library material must give all that its models need. Units: cm, g, us, Mbar.
+  /// What a scene asks a material to be: a model of each family, and constants by key. Constants left out come from the
+  /// library material; a request without a library material must give all that its models need. Units: cm, g, us, Mbar.
   struct MaterialRequest
   {
     std::string name;    ///< for messages and reports; empty: the library's name
     std::string library; ///< material_names(); empty: none, all constants given here
 
-    std::string equation_of_state = "mie-grueneisen"; ///< equation_of_state_kinds()
-    std::string strength          = "none";           ///< strength_kinds()
-    std::string void_law          = "none";           ///< void_law_kinds()
+    std::string equation_of_state = "mie-grueneisen";
+    std::string strength          = "none";
+    std::string void_law          = "none";
+    std::string thermal_model     = "none";
+    std::string failure           = "none";
+    std::string fragments         = "none";
+    std::string conduction        = "none";
 
-    std::optional<double> density;            ///< gamma0 [g/cm^3]
-    std::optional<double> sound_speed;        ///< c0 [cm/us]
-    std::optional<double> hugoniot_slope;     ///< s
-    std::optional<double> grueneisen;         ///< Gamma0
-    std::optional<double> adiabatic_exponent; ///< k of the gases
-    /// c1 ... c6 of the linear polynomial [Mbar, the last three without unit]; those left out are the
-    /// expansion of the Mie-Grueneisen law about gamma0 (doc/theory/equation_of_state.md), or 0 if c1 is given.
-    std::optional<double> c1, c2, c3, c4, c5, c6;
+    std::map<std::string, double>      constants; ///< by ModelConstant::key
+    std::map<std::string, std::string> texts;     ///< those of quantity "text"
 
-    std::optional<double> shear_modulus;     ///< G [Mbar]
-    std::optional<double> yield_stress;      ///< Y [Mbar]
-    std::optional<double> hardening_modulus; ///< H = dY/d(plastic strain) [Mbar]
+    bool isothermal = false; ///< P_s = P_s(gamma, 0)
 
-    double alpha          = 1000.; ///< rate of the void law [us/cm^2], may be infinite
-    double spall_strength = 0.;    ///< [Mbar], may be infinite
-    bool   isothermal     = false; ///< P_s = P_s(gamma, 0)
+    /// Value of a constant, `otherwise` if the request does not give it.
+    double
+    constant_or(const std::string &key, double otherwise) const
+    {
+      const auto found = constants.find(key);
+      return found == constants.end() ? otherwise : found->second;
+    }
   };
 
-  /// One admissible value of a model selector, for messages and help texts.
-  struct ModelKind
+  /// Kinds of models a material has one of, or none.
+  struct ModelFamily
   {
-    std::string name;        ///< "perfectly plastic"
-    std::string description; ///< one line, with the constants the kind needs
+    std::string key;                       ///< in scenes, "Equation of state"
+    std::string MaterialRequest::*choice;  ///< where a request names the model
+    std::string                   effect;  ///< that switches it on, "strength"; empty: needs none
+    std::string                   absence; ///< what "none" means; empty: there must be one
+    std::vector<ModelDescription> models;  ///< all there are, alphabetically
   };
 
-  /// "mie-grueneisen", "ideal gas", "stiffened gas", "linear polynomial".
-  std::vector<ModelKind>
-  equation_of_state_kinds();
+  /// All families, in the order in which a material's models are made.
+  const std::vector<ModelFamily> &
+  model_families();
 
-  /// "none", "perfectly plastic", "linear hardening".
-  std::vector<ModelKind>
-  strength_kinds();
+  /// The description of the model that a request chose of a family; null for none.
+  /// @throws InputError that lists the names there are.
+  const ModelDescription *
+  chosen_model(const ModelFamily &family, const MaterialRequest &request);
 
-  /// "none", "rate", "equilibrium".
-  std::vector<ModelKind>
-  void_law_kinds();
+  /// Every constant that any model has, each key once, in the order of model_families().
+  std::vector<ModelConstant>
+  all_model_constants();
+
+  /// What the sources of a model, then the library, give for a constant of a library material; empty without one.
+  std::optional<double>
+  published_constant(const ModelDescription &model, const std::string &material, const std::string &key);
 
   /// The material a request describes, ready to run.
   /// @throws InputError (one line: which constant, its value, what is allowed; no file name, the caller knows
-  /// it) for an unknown name or kind, a constant that is missing, impossible, or of no use to the kinds chosen.
+  /// it) for an unknown name or model, a constant that is missing, impossible, or of no use to the models chosen, or
+  /// models that contradict each other.
   Material
   make_material(const MaterialRequest &request);
 } // namespace whipple

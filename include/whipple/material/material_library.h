@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ namespace whipple
     double      melt_temperature; ///< of the source's melting model at gamma0 [K], not the handbook value
     std::string source;           ///< where the numbers come from
     std::string caution;          ///< what to know before trusting them; empty if nothing
+
+    /// The constant that models know by this key ("Density", ModelConstant::key); empty if it is none of these.
+    std::optional<double>
+    find(const std::string &key) const;
   };
 
   /// All materials that Whipple knows by name, alphabetically.
@@ -31,7 +36,11 @@ namespace whipple
   const MaterialConstants &
   find_material(const std::string &name);
 
-  /// "aluminium 1100-O", ... in the order of material_library().
+  /// The same, null where there is none of that name.
+  const MaterialConstants *
+  find_in_library(const std::string &name);
+
+  /// All materials that the library or the source of any model has constants of, alphabetically.
   std::vector<std::string>
   material_names();
 

@@ -13,8 +13,8 @@ namespace whipple
     PerfectlyPlastic(double shear_modulus, double yield_stress);
 
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<const double> plastic_strain,
-             std::span<double> shear_modulus, std::span<double> yield_stress) const override;
+    evaluate(const StrengthInput &state, std::span<double> shear_modulus,
+             std::span<double> yield_stress) const override;
     double
     reference_shear_modulus() const override;
     std::string

@@ -8,6 +8,14 @@
 
 namespace whipple
 {
+  /// What a void law needs of each cell.
+  struct VoidInput
+  {
+    std::span<const double> bulk_density; ///< rho, g/cm^3; <= 0: nothing there
+    std::span<const double> energy;       ///< specific internal energy, Mbar cm^3/g
+    std::span<const double> soundness;    ///< share of the spall strength that is left (damage, melt); empty: all of it
+  };
+
   /// How the void fraction phi of the mixture theory evolves over a step at frozen bulk density rho and
   /// energy e (doc/theory/voids.md). Implicit: no parameter of a law ever limits the time step.
   class VoidLaw
@@ -17,8 +25,22 @@ namespace whipple
 
     /// Advance phi (in place, 0 <= phi < 1) by dt [us]. Entries with rho <= 0 are left alone.
     virtual void
-    advance(const EquationOfState &eos, double dt, std::span<const double> bulk_density, std::span<const double> energy,
-            std::span<double> void_fraction) const = 0;
+    advance(const EquationOfState &eos, double dt, const VoidInput &state, std::span<double> void_fraction) const = 0;
+
+    /// phi of a body that enters the scene unless it says otherwise.
+    virtual double
+    initial_void_fraction() const
+    {
+      return 0.;
+    }
+
+    /// True if pores withstand pressure as the solid does until they crush. The pressure of a porous cell then follows
+    /// its volume within a step; else it is that of the start of the step, because pores give way first.
+    virtual bool
+    pores_resist() const
+    {
+      return false;
+    }
 
     /// Name in scene files, "rate", "equilibrium" ...
     virtual std::string
