@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/material/equation_of_state_table.h>
+#include <whipple/material/piecewise_cubic.h>
+#include <whipple/material/table_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace whipple
+{
+  namespace
+  {
+    const TableField::Units density_units{{"g/cm^3", 1.}, {"kg/m^3", 1e-3}};
+    const TableField::Units energy_units{{"Mbar cm^3/g", 1.}, {"MJ/kg", 0.01}, {"J/kg", 1e-8}, {"erg/g", 1e-12}};
+    const TableField::Units pressure_units{{"Mbar", 1.}, {"GPa", 0.01}, {"Pa", 1e-11}, {"dyn/cm^2", 1e-12}};
+    const TableField::Units temperature_units{{"K", 1.}, {"eV", 11604.518}};
+    const TableField::Units fraction_units{{"1", 1.}};
+
+    /// Fields over (density, the second axis of the file), rows of a density.
+    struct Grid
+    {
+      std::vector<double> pressure, temperature, melt_fraction, vapour_fraction;
+    };
+
+    Grid
+    read_grid(const Hdf5File &file, const std::vector<std::size_t> &extent, bool with_temperature)
+    {
+      Grid             grid;
+      const TableField pressure(file, "pressure", pressure_units, extent);
+      pressure.require_not_falling();
+      grid.pressure = pressure.values();
+      if (with_temperature && file.has("temperature"))
+        {
+          const TableField temperature(file, "temperature", temperature_units, extent);
+          temperature.require_positive();
+          temperature.require_rising();
+          grid.temperature = temperature.values();
+        }
+      for (const auto &[name, values] :
+           {std::pair{"melt_fraction", &grid.melt_fraction}, std::pair{"vapour_fraction", &grid.vapour_fraction}})
+        if (file.has(name))
+          {
+            const TableField fraction(file, name, fraction_units, extent);
+            fraction.require_fraction();
+            *values = fraction.values();
+          }
+      return grid;
+    }
+
+    /// The heat of the row nearest to the reference density, and beyond it the largest of any row.
+    std::vector<double>
+    common_heat(const EquationOfStateTable &table, const std::vector<double> &energy, std::size_t m)
+    {
+      std::size_t nearest = 0;
+      double      largest = 0;
+      for (std::size_t i = 0; i < table.density.size(); ++i)
+        {
+          if (std::abs(table.density[i] - table.reference_density) <
+              std::abs(table.density[nearest] - table.reference_density))
+            nearest = i;
+          largest = std::max(largest, energy[i * m + m - 1] - energy[i * m]);
+        }
+      std::vector<double> heat(m);
+      for (std::size_t j = 0; j < m; ++j)
+        heat[j] = energy[nearest * m + j] - energy[nearest * m];
+      if (largest > heat.back())
+        heat.push_back(largest);
+      return heat;
+    }
+
+    /// A row given at some heats taken at others: by the monotone cubic, or (fractions, that must stay in their range)
+    /// by straight lines that end level.
+    enum class Between
+    {
+      cubic,
+      line
+    };
+
+    void
+    append_row(const std::vector<double> &row_heat, const double *row, Between between, const std::vector<double> &heat,
+               std::vector<double> &values)
+    {
+      const std::size_t m = row_heat.size();
+      if (between == Between::cubic)
+        {
+          const std::vector<double> values_of_row(row, row + m);
+          const PiecewiseCubic      cubic(row_heat, values_of_row, monotone_slopes(row_heat, values_of_row, 3.));
+          for (const double h : heat)
+            values.push_back(cubic.at(h).value);
+        }
+      else
+        for (const double h : heat)
+          {
+            const std::size_t j     = find_interval(row_heat, h, 0);
+            const double      share = std::clamp((h - row_heat[j]) / (row_heat[j + 1] - row_heat[j]), 0., 1.);
+            values.push_back((1. - share) * row[j] + share * row[j + 1]);
+          }
+    }
+
+    /// From (density, temperature) to (density, heat).
+    void
+    resample(const std::vector<double> &energy, const Grid &grid, std::size_t m, EquationOfStateTable &table)
+    {
+      table.heat = common_heat(table, energy, m);
+      std::vector<double> row_heat(m);
+      for (std::size_t i = 0; i < table.density.size(); ++i)
+        {
+          for (std::size_t j = 0; j < m; ++j)
+            row_heat[j] = energy[i * m + j] - energy[i * m];
+          append_row(row_heat, &grid.pressure[i * m], Between::cubic, table.heat, table.pressure);
+          append_row(row_heat, &grid.temperature[i * m], Between::cubic, table.heat, table.temperature);
+          if (!grid.melt_fraction.empty())
+            append_row(row_heat, &grid.melt_fraction[i * m], Between::line, table.heat, table.melt_fraction);
+          if (!grid.vapour_fraction.empty())
+            append_row(row_heat, &grid.vapour_fraction[i * m], Between::line, table.heat, table.vapour_fraction);
+        }
+    }
+
+    void
+    read_over_temperature(const Hdf5File &file, double reference_energy, EquationOfStateTable &table)
+    {
+      const std::size_t n = table.density.size();
+      const TableField  temperature(file, "temperature", temperature_units, {0});
+      temperature.require_rising();
+      const std::size_t m = temperature.values().size();
+      const TableField  energy(file, "energy", energy_units, {n, m});
+      energy.require_rising();
+      Grid grid = read_grid(file, {n, m}, false);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          grid.temperature.insert(grid.temperature.end(), temperature.values().begin(), temperature.values().end());
+          table.lowest_energy.push_back(energy.values()[i * m] - reference_energy * energy.unit());
+        }
+      resample(energy.values(), grid, m, table);
+    }
+
+    void
+    read_over_energy(const Hdf5File &file, double reference_energy, EquationOfStateTable &table)
+    {
+      const std::size_t n = table.density.size();
+      const TableField  energy(file, "energy", energy_units, {0});
+      energy.require_rising();
+      const double lowest = energy.values().front();
+      for (const double e : energy.values())
+        table.heat.push_back(e - lowest);
+      table.lowest_energy.assign(n, lowest - reference_energy * energy.unit());
+      Grid grid             = read_grid(file, {n, energy.values().size()}, true);
+      table.pressure        = std::move(grid.pressure);
+      table.temperature     = std::move(grid.temperature);
+      table.melt_fraction   = std::move(grid.melt_fraction);
+      table.vapour_fraction = std::move(grid.vapour_fraction);
+    }
+
+    void
+    require_two(const std::string &path, const std::string &axis, std::size_t length)
+    {
+      if (length < 2)
+        throw InputError(path, axis + ", extent", std::to_string(length), "must be at least 2");
+    }
+  } // namespace
+
+  EquationOfStateTable
+  read_equation_of_state_table(const std::string &path)
+  {
+    const Hdf5File       file(path);
+    EquationOfStateTable table;
+    table.path = path;
+    const TableField density(file, "density", density_units, {0});
+    density.require_positive();
+    density.require_rising();
+    table.density           = density.values();
+    table.reference_density = file.attribute("reference_density") * density.unit();
+    require_two(path, "density", table.density.size());
+    if (!(table.reference_density >= table.density.front() && table.reference_density <= table.density.back()))
+      {
+        std::ostringstream value, allowed;
+        value << table.reference_density;
+        allowed << "must be among the densities of the table, " << table.density.front() << " ... "
+                << table.density.back() << " g/cm^3";
+        throw InputError(path, "attribute reference_density", value.str(), allowed.str());
+      }
+    const double reference_energy = file.attribute("reference_energy");
+    if (!file.has("energy"))
+      throw InputError(path + ": dataset 'energy' is missing");
+    if (file.read("energy").extent.size() == 1)
+      read_over_energy(file, reference_energy, table);
+    else
+      read_over_temperature(file, reference_energy, table);
+    require_two(path, "energy or temperature", table.heat.size());
+    if (file.has("melt_temperature"))
+      {
+        const TableField melt(file, "melt_temperature", temperature_units, {table.density.size()});
+        melt.require_positive();
+        table.melt_temperature = melt.values();
+      }
+    return table;
+  }
+} // namespace whipple

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The converter of equation of state tables: SESAME and ANEOS texts of one law become the same file, what is wrong with a text is
+# one line, and a scene takes the file.
+program=$1
+source=$2
+convert() { /usr/bin/python3 "$source/scripts/convert_eos_table.py" "$@"; }
+
+rm -rf ./*.txt ./*.h5 output
+cat >texts.py <<'END_OF_PYTHON'
+# P = (k - 1) rho c T - P_inf, e = c T + P_inf / rho: at rest at 2.7 g/cm^3 and 300 K; GPa, MJ/kg
+k, infinity, rest, cold = 4., 20., 2.7, 300.
+heat = infinity / ((k - 1.) * rest * cold)
+density = [0., 1.] + [2. + 0.05 * i for i in range(41)]
+temperature = [100. * 1.2 ** i for i in range(20)]
+pressure = [(k - 1.) * rho * heat * t - infinity if rho else 0. for t in temperature for rho in density]
+energy = [heat * t + infinity / rho if rho else 0. for t in temperature for rho in density]
+total = [len(density), len(temperature)] + density + temperature + pressure + energy
+free_energy = [0.] * len(energy)
+normal = [13., 27., 2.71, 60., 0.]
+
+
+def record(values, columns, flags):
+    for i in range(0, len(values), 5):
+        line = values[i:i + 5]
+        yield "".join(f"{value:{columns}.8E}" for value in line) + (flags and "".join("1" for _ in line)) + "\n"
+
+
+with open("sesame.txt", "w") as text:
+    for material in (9998, 9999):
+        for flag, kind, values in ((0, 101, None), (1, 201, normal), (1, 301, total)):
+            count = 100 if values is None else len(values)
+            text.write(f"{flag:2d}{material:6d}{kind:6d}{count:6d}   r   101070   101070   1\n")
+            text.writelines(["a comment of two lines\n", "by hand\n"] if values is None else record(values, 15, "1"))
+    text.write(" 2\n")
+with open("aneos.txt", "w") as text:
+    text.write(" INDEX     MATID =   9999   NWDS =        9\n")
+    text.writelines(record([9999., 1., 1., 1., 2., 201., 301., 5., len(total + free_energy)], 16, ""))
+    for kind, values in ((201, normal), (301, total + free_energy)):
+        text.write(f" RECORD     TYPE =  {kind}     NWDS = {len(values):8d}\n")
+        text.writelines(record(values, 16, ""))
+END_OF_PYTHON
+/usr/bin/python3 texts.py
+
+convert sesame.txt sesame.h5 --material 9999 --temperature 300 >sesame_log.txt
+convert aneos.txt aneos.h5 --temperature 300 >aneos_log.txt
+/usr/bin/python3 - <<'END_OF_PYTHON'
+import h5py
+import numpy
+
+with h5py.File("sesame.h5") as sesame, h5py.File("aneos.h5") as aneos:
+    for file in (sesame, aneos):
+        rho, t = file["density"][:][:, None], file["temperature"][:][None, :]
+        assert rho.shape == (42, 1) and t.shape == (1, 20), (rho.shape, t.shape)
+        heat = 20. / (3. * 2.7 * 300.)
+        assert numpy.allclose(file["pressure"], 3. * rho * heat * t - 20., rtol=1e-7, atol=1e-6)
+        assert numpy.allclose(file["energy"], heat * t + 20. / rho, rtol=1e-7)
+        assert {name: data.attrs["units"] for name, data in file.items()} == {
+            "density": "g/cm^3", "temperature": "K", "pressure": "GPa", "energy": "MJ/kg"}
+        # the text has no row at 300 K: between 298.6 and 358.3 K this law is linear
+        assert abs(file.attrs["reference_density"] - 2.7) < 1e-6, file.attrs["reference_density"]
+        assert abs(file.attrs["reference_energy"] - (heat * 300. + 20. / 2.7)) < 1e-5
+    assert all(numpy.array_equal(sesame[name], aneos[name]) for name in sesame)
+END_OF_PYTHON
+
+# rejects WORDS ARGUMENTS...: one line that holds WORDS, and no file
+rejects() {
+  words=$1
+  shift
+  status=0
+  convert "$@" >out.txt 2>err.txt || status=$?
+  [ "$status" -eq 1 ] || { echo "status $status, not 1: $*"; cat err.txt; exit 1; }
+  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "not one line: $*"; cat err.txt; exit 1; }
+  grep -qF -- "$words" err.txt || { echo "'$words' is not in:"; cat err.txt; exit 1; }
+  [ ! -e bad.h5 ] || { echo "written despite wrong input: $*"; exit 1; }
+}
+rejects 'choose with --material' sesame.txt bad.h5
+rejects '--material 1: must be one' sesame.txt bad.h5 --material 1
+rejects '--temperature 10.0: must be in 100' aneos.txt bad.h5 --temperature 10
+rejects '--density 30.0: must be in 1' aneos.txt bad.h5 --density 30
+rejects 'No such file' none.txt bad.h5
+sed 's/2\.00000000E+01/2.0000x000E+01/' aneos.txt >misprint.txt
+rejects 'must be numbers of 16 columns' misprint.txt bad.h5
+head -n 100 aneos.txt >short.txt
+rejects 'the file ends after' short.txt bad.h5
+: >empty.txt
+rejects 'the file is empty' empty.txt bad.h5
+
+# a scene takes the table, and not one with a hole
+scene() {
+  sed -e 's/Equation of state *= mie-grueneisen/Equation of state = tabulated/' -e "/Grueneisen coef/s/.*/    set Table = $1/" \
+    -e '/Density\|Sound speed\|Hugoniot slope\|Strength\|Shear modulus\|Yield stress/d' \
+    -e 's/elastic-plastic piston/gas piston/' -e '/set List = strength/d' "$source/prm/verification/copper_piston.prm"
+}
+scene sesame.h5 >scene.prm
+"$program" run scene.prm --validate >out.txt
+/usr/bin/python3 - <<'END_OF_PYTHON'
+import shutil
+
+import h5py
+
+shutil.copy("sesame.h5", "hole.h5")
+with h5py.File("hole.h5", "r+") as file:
+    file["pressure"][3, 4] = float("nan")
+END_OF_PYTHON
+scene hole.h5 >scene.prm
+status=0
+"$program" run scene.prm --validate >out.txt 2>err.txt || status=$?
+[ "$status" -eq 2 ] || { echo "status $status, not 2"; cat err.txt; exit 1; }
+grep -qF 'pressure[3, 4]' err.txt || { echo 'no word of the hole in:'; cat err.txt; exit 1; }
