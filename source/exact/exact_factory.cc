@@ -10,6 +10,7 @@
 #include <whipple/exact/noh.h>
 #include <whipple/exact/piston.h>
 #include <whipple/exact/plate_impact.h>
+#include <whipple/exact/porous_piston.h>
 #include <whipple/exact/riemann.h>
 #include <whipple/exact/rotation.h>
 #include <whipple/exact/sedov.h>
@@ -38,6 +39,7 @@ namespace whipple::exact
         {coggeshall_1_kind, make_coggeshall_1},
         {coggeshall_8_kind, make_coggeshall_8},
         {piston_kind, make_piston},
+        {porous_piston_kind, make_porous_piston},
         {plate_impact_kind, make_plate_impact},
         {blake_kind, make_blake},
         {spall_kind, make_spall},

@@ -5,18 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whipple::exact
 {
-  Piston::Piston(const UniaxialLoading &loading, const Constants &constants)
+  Piston::Piston(const LoadedState &ahead, std::vector<WaveFront> fronts,
+                 const std::function<double(const LoadedState &)> &wave_speed, const Constants &constants)
     : constants(constants)
-    , ahead_(loading.initial())
-    , fronts_(loading.fronts(constants.velocity))
+    , ahead_(ahead)
+    , fronts_(std::move(fronts))
     , arrival_(std::abs(constants.far_end - constants.origin) / fronts_.front().speed)
-    , return_speed_(-loading.wave_speed(ahead_))
+    , return_speed_(-wave_speed(ahead))
   {
     for (const WaveFront &front : fronts_)
-      return_speed_ = std::min(return_speed_, front.behind.velocity - loading.wave_speed(front.behind));
+      return_speed_ = std::min(return_speed_, front.behind.velocity - wave_speed(front.behind));
   }
 
   double
@@ -62,21 +64,11 @@ namespace whipple::exact
     return place(fronts_.back().speed, time);
   }
 
-  ExactKind
-  piston_kind()
+  Piston::Constants
+  piston_of_scene(const ExactRequest<2> &request, const BodyState<2> &body)
   {
-    return {"elastic-plastic piston",
-            "a side of axis 1 with 'inflow' drives an elastic and a plastic front into the one body of the scene "
-            "(hypoelastic; ep_piston of ExactPack)",
-            {}};
-  }
-
-  std::unique_ptr<const ExactSolution<2>>
-  make_piston(const ExactRequest<2> &request)
-  {
-    const std::string   what  = "exact solution '" + request.name + "': ";
-    const BodyState<2> &body  = only_body(request);
-    const bool          lower = request.boundaries[2].kind == BoundaryKind::inflow;
+    const std::string what  = "exact solution '" + request.name + "': ";
+    const bool        lower = request.boundaries[2].kind == BoundaryKind::inflow;
     if (lower == (request.boundaries[3].kind == BoundaryKind::inflow))
       throw InputError(what + "either Geometry/Bottom or Geometry/Top must be the piston, 'inflow' with a velocity");
 
@@ -91,8 +83,25 @@ namespace whipple::exact
       throw InputError(what + "body '" + body.name + "' must touch the piston");
     if (!(constants.velocity > 0))
       throw InputError(what + "the piston must move into body '" + body.name + "'");
-    return std::make_unique<ProfileSolution<2>>(
-        request.name, std::make_unique<Piston>(UniaxialLoading(body.material, body.density, body.energy), constants),
-        Geometry::planar, request.symmetry, request.start);
+    return constants;
+  }
+
+  ExactKind
+  piston_kind()
+  {
+    return {"elastic-plastic piston",
+            "a side of axis 1 with 'inflow' drives an elastic and a plastic front into the one body of the scene "
+            "(hypoelastic; ep_piston of ExactPack)",
+            {}};
+  }
+
+  std::unique_ptr<const ExactSolution<2>>
+  make_piston(const ExactRequest<2> &request)
+  {
+    const BodyState<2>   &body = only_body(request);
+    const UniaxialLoading loading(body.material, body.density, body.energy);
+    return std::make_unique<ProfileSolution<2>>(request.name,
+                                                std::make_unique<Piston>(loading, piston_of_scene(request, body)),
+                                                Geometry::planar, request.symmetry, request.start);
   }
 } // namespace whipple::exact

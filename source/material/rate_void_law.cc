@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/material/model_registry.h>
 #include <whipple/material/rate_void_law.h>
 #include <whipple/material/void_relaxation.h>
 
@@ -23,11 +24,11 @@ namespace whipple
   }
 
   void
-  RateVoidLaw::advance(const EquationOfState &eos, double dt, std::span<const double> bulk_density,
-                       std::span<const double> energy, std::span<double> void_fraction) const
+  RateVoidLaw::advance(const EquationOfState &eos, double dt, const VoidInput &state,
+                       std::span<double> void_fraction) const
   {
     if (dt > 0.)
-      relax_void_fraction(eos, alpha * dt, spall_strength, bulk_density, energy, void_fraction);
+      relax_void_fraction(eos, alpha * dt, spall_strength, state, void_fraction);
   }
 
   std::string
@@ -35,4 +36,30 @@ namespace whipple
   {
     return "rate";
   }
+
+  namespace
+  {
+    ModelDescription
+    description()
+    {
+      return {
+          .name    = "rate",
+          .summary = "voids grow and close at the rate (8c) of the 1993 paper",
+          .documentation =
+              "d phi/dt = -(alpha rho / gamma0^2) P_s: tension of the solid opens voids, pressure closes them, and the "
+              "work that this dissipates is heat. Sound material opens beyond the spall strength only; once there are "
+              "voids there is no threshold until they have closed. Backward Euler: no Alpha limits the time step.",
+          .constants = {{"Alpha", "void growth coefficient",
+                         "alpha of the rate; 0 keeps every void as it is, infinite is the law 'equilibrium'",
+                         Range::not_negative_or_infinite(), 1000., false},
+                        {"Spall strength", "pressure", "tension of the solid beyond which sound material opens",
+                         Range::not_negative_or_infinite(), 0., false}},
+          .source    = "E. P. Fahrenthold, Int. J. Impact Engng 14 (1993) 229-240, (8c) as read in doc/theory/voids.md",
+          .published = {}};
+    }
+
+    const Registration<VoidLaw> registration(description(), [](const ModelInput &c) {
+      return std::make_shared<RateVoidLaw>(c("Alpha"), c("Spall strength"));
+    });
+  } // namespace
 } // namespace whipple

@@ -82,14 +82,15 @@ namespace whipple
     }
 
     /// Cells that have, or may open, voids. Vector test first: a block of sound material ends there.
+    /// @param threshold of a cell: the pressure of the solid below which it opens.
+    template <class Threshold>
     void
-    gather(const EquationOfState &eos, double spall_strength, std::span<const double> rho,
+    gather(const EquationOfState &eos, const Threshold &threshold, std::span<const double> rho,
            std::span<const double> energy, std::span<const double> phi, OpenCells &open)
     {
-      const std::size_t n        = rho.size();
-      const double      gamma0   = eos.reference_density();
-      const double      limit    = largest_density(eos);
-      const double      negative = -spall_strength;
+      const std::size_t n      = rho.size();
+      const double      gamma0 = eos.reference_density();
+      const double      limit  = largest_density(eos);
 
       Block gamma, pressure, sound_speed_squared;
       for (std::size_t i = 0; i < n; ++i)
@@ -101,13 +102,13 @@ namespace whipple
 
       long may_change = 0;
       for (std::size_t i = 0; i < n; ++i)
-        may_change += static_cast<long>((rho[i] > 0.) & ((phi[i] > 0.) | (pressure[i] < negative)));
+        may_change += static_cast<long>((rho[i] > 0.) & ((phi[i] > 0.) | (pressure[i] < threshold(i))));
 
       open.count = 0;
       if (may_change == 0)
         return;
       for (std::size_t i = 0; i < n; ++i)
-        if (rho[i] > 0. && (phi[i] > 0. || pressure[i] < negative))
+        if (rho[i] > 0. && (phi[i] > 0. || pressure[i] < threshold(i)))
           {
             const std::size_t k = open.count++;
             open.cell[k]        = i;
@@ -221,8 +222,7 @@ namespace whipple
   } // namespace
 
   void
-  relax_void_fraction(const EquationOfState &eos, double alpha_dt, double spall_strength,
-                      std::span<const double> bulk_density, std::span<const double> energy,
+  relax_void_fraction(const EquationOfState &eos, double alpha_dt, double spall_strength, const VoidInput &state,
                       std::span<double> void_fraction)
   {
     const double gamma0     = eos.reference_density();
@@ -231,11 +231,22 @@ namespace whipple
       return;
 
     OpenCells open;
-    for (std::size_t start = 0; start < bulk_density.size(); start += block_length)
+    for (std::size_t start = 0; start < state.bulk_density.size(); start += block_length)
       {
-        const std::size_t n   = std::min(block_length, bulk_density.size() - start);
-        const auto        phi = void_fraction.subspan(start, n);
-        gather(eos, spall_strength, bulk_density.subspan(start, n), energy.subspan(start, n), phi, open);
+        const std::size_t n      = std::min(block_length, state.bulk_density.size() - start);
+        const auto        phi    = void_fraction.subspan(start, n);
+        const auto        rho    = state.bulk_density.subspan(start, n);
+        const auto        energy = state.energy.subspan(start, n);
+        if (state.soundness.empty())
+          gather(
+              eos, [negative = -spall_strength](std::size_t) { return negative; }, rho, energy, phi, open);
+        else
+          gather(
+              eos,
+              [spall_strength, soundness = state.soundness.subspan(start, n)](std::size_t i) {
+                return opening_pressure(spall_strength, soundness[i]);
+              },
+              rho, energy, phi, open);
         if (open.count == 0)
           continue;
         bracket(eos, resistance, phi, open);

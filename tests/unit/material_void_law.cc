@@ -33,7 +33,7 @@ namespace whipple
     double
     advanced(const VoidLaw &law, const EquationOfState &eos, double dt, double rho, double e, double phi)
     {
-      law.advance(eos, dt, {&rho, 1}, {&e, 1}, {&phi, 1});
+      law.advance(eos, dt, {{&rho, 1}, {&e, 1}, {}}, {&phi, 1});
       return phi;
     }
 
@@ -133,7 +133,7 @@ namespace whipple
         {
           const RateVoidLaw law(alpha, 0.);
           Cells             next = cells;
-          law.advance(aluminium, dt, next.rho, next.e, next.phi);
+          law.advance(aluminium, dt, {next.rho, next.e, {}}, next.phi);
           for (std::size_t i = 0; i < cells.rho.size(); ++i)
             {
               SCOPED_TRACE("alpha " + std::to_string(alpha) + " dt " + std::to_string(dt) + " cell " +
@@ -182,8 +182,8 @@ namespace whipple
   {
     const Cells cells = random_cells(500);
     Cells       next  = cells;
-    RateVoidLaw(0., 0.).advance(aluminium, 0.004, next.rho, next.e, next.phi);
-    RateVoidLaw(1e3, 0.).advance(aluminium, 0., next.rho, next.e, next.phi);
+    RateVoidLaw(0., 0.).advance(aluminium, 0.004, {next.rho, next.e, {}}, next.phi);
+    RateVoidLaw(1e3, 0.).advance(aluminium, 0., {next.rho, next.e, {}}, next.phi);
     EXPECT_EQ(next.phi, cells.phi);
   }
 
@@ -195,8 +195,8 @@ namespace whipple
         rho.push_back(2.785 * (1. + 0.0007 * i));
         e.push_back(1e-5 * i);
       }
-    RateVoidLaw(1e9, 0.).advance(aluminium, 0.01, rho, e, phi);
-    EquilibriumVoidLaw(0.).advance(aluminium, 0.01, rho, e, phi);
+    RateVoidLaw(1e9, 0.).advance(aluminium, 0.01, {rho, e, {}}, phi);
+    EquilibriumVoidLaw(0.).advance(aluminium, 0.01, {rho, e, {}}, phi);
     const std::vector<double> zeros(1000, 0.);
     EXPECT_EQ(std::memcmp(phi.data(), zeros.data(), 1000 * sizeof(double)), 0);
   }
@@ -241,6 +241,35 @@ namespace whipple
     EXPECT_EQ(advanced(RateVoidLaw(INFINITY, INFINITY), linear, 1., 0.1 * gamma0, 0., 0.), 0.);
   }
 
+  TEST(SpallThreshold, SoundnessScalesItCellByCell)
+  {
+    const double strength = 0.012;
+    for (const double kept : {1., 0.5, 0.1, 0.})
+      for (const double side : {1e-6, -1e-6})
+        {
+          const double rho = gamma0 * (1. - kept * strength / bulk_modulus + side), e = 0.;
+          double       phi = 0.;
+          EquilibriumVoidLaw(strength).advance(linear, 0.01, {{&rho, 1}, {&e, 1}, {&kept, 1}}, {&phi, 1});
+          EXPECT_EQ(phi > 0., side < 0.) << kept;
+        }
+    // an infinite strength of which nothing is left is none; of which something is left, infinite
+    const std::vector<double> soundness = {0., 1e-3}, rho(2, 0.99 * gamma0), e(2, 0.);
+    std::vector<double>       phi(2, 0.);
+    EquilibriumVoidLaw(INFINITY).advance(linear, 0.01, {rho, e, soundness}, phi);
+    EXPECT_NEAR(phi[0], 0.01, 1e-15);
+    EXPECT_EQ(phi[1], 0.);
+  }
+
+  TEST(SpallThreshold, AllOfTheSoundnessLeavesTheBits)
+  {
+    const Cells               cells = random_cells(2000);
+    const std::vector<double> all(2000, 1.);
+    Cells                     with = cells, without = cells;
+    RateVoidLaw(1e3, 0.012).advance(aluminium, 0.004, {with.rho, with.e, all}, with.phi);
+    RateVoidLaw(1e3, 0.012).advance(aluminium, 0.004, {without.rho, without.e, {}}, without.phi);
+    EXPECT_EQ(std::memcmp(with.phi.data(), without.phi.data(), 2000 * sizeof(double)), 0);
+  }
+
   TEST(VoidLimits, NearlyEmptyCellsConvergeBelowOne)
   {
     for (const double rho : {1e-6, 1e-12, 1e-18, 1e-30, 1e-60})
@@ -266,7 +295,7 @@ namespace whipple
     const double        nan = std::nan("");
     std::vector<double> rho = {0., -1., 1., nan, 2.}, e = {0., 0., nan, 0., 0.}, phi = {0.5, 0.25, 0.5, 0.5, 0.1};
     const auto          before = phi;
-    EquilibriumVoidLaw(0.).advance(aluminium, 0.01, rho, e, phi);
+    EquilibriumVoidLaw(0.).advance(aluminium, 0.01, {rho, e, {}}, phi);
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_EQ(phi[i], before[i]);
     EXPECT_GT(phi[4], 0.1);
@@ -293,7 +322,7 @@ namespace whipple
       {
         const RateVoidLaw law(alpha, 0.012);
         Cells             reference = cells;
-        law.advance(aluminium, 0.004, reference.rho, reference.e, reference.phi);
+        law.advance(aluminium, 0.004, {reference.rho, reference.e, {}}, reference.phi);
 
         std::vector<std::size_t> order(n);
         std::iota(order.begin(), order.end(), 0);
@@ -305,7 +334,7 @@ namespace whipple
             shuffled.e[i]   = cells.e[order[i]];
             shuffled.phi[i] = cells.phi[order[i]];
           }
-        law.advance(aluminium, 0.004, shuffled.rho, shuffled.e, shuffled.phi);
+        law.advance(aluminium, 0.004, {shuffled.rho, shuffled.e, {}}, shuffled.phi);
         for (std::size_t i = 0; i < n; ++i)
           ASSERT_EQ(std::memcmp(&shuffled.phi[i], &reference.phi[order[i]], sizeof(double)), 0);
 

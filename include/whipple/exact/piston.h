@@ -4,6 +4,8 @@
 #include <whipple/exact/exact_factory.h>
 #include <whipple/exact/uniaxial_loading.h>
 
+#include <functional>
+
 namespace whipple::exact
 {
   /// A piston, a side of the domain that moves at constant velocity from t = 0 on, drives waves into a solid: constant
@@ -24,7 +26,15 @@ namespace whipple::exact
       double body_speed = 0; ///< of the body before, along the axis, cm/us
     };
 
-    Piston(const UniaxialLoading &loading, const Constants &constants);
+    /// @param loading what gives the material at rest, the fronts of a piston and the speed of waves: UniaxialLoading,
+    ///        CompactionLoading.
+    template <class Loading>
+    Piston(const Loading &loading, const Constants &constants)
+      : Piston(
+            loading.initial(), loading.fronts(constants.velocity),
+            [&loading](const LoadedState &state) { return loading.wave_speed(state); }, constants)
+    {
+    }
 
     ProfileState
     at(double coordinate, double time) const override;
@@ -45,6 +55,9 @@ namespace whipple::exact
     }
 
   private:
+    Piston(const LoadedState &ahead, std::vector<WaveFront> fronts,
+           const std::function<double(const LoadedState &)> &wave_speed, const Constants &constants);
+
     /// Place of something that moves with a speed in the frame of the body, seen along `direction`.
     double
     place(double speed, double time) const;
@@ -56,10 +69,15 @@ namespace whipple::exact
     double                 return_speed_; ///< bound of what comes back from there, in the frame of the body, cm/us
   };
 
+  /// The piston that a scene describes: the lower or upper side of axis 1, `inflow`, which the body touches.
+  /// @throws InputError (one line, without file name) if it describes none.
+  Piston::Constants
+  piston_of_scene(const ExactRequest<2> &request, const BodyState<2> &body);
+
   ExactKind
   piston_kind();
 
-  /// Piston: the lower or upper side of axis 1, `inflow`; material and state: the one body, which touches that side.
+  /// Material and state: the one body.
   std::unique_ptr<const ExactSolution<2>>
   make_piston(const ExactRequest<2> &request);
 } // namespace whipple::exact

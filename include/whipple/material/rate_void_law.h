@@ -16,7 +16,7 @@ namespace whipple
     RateVoidLaw(double alpha, double spall_strength);
 
     void
-    advance(const EquationOfState &eos, double dt, std::span<const double> bulk_density, std::span<const double> energy,
+    advance(const EquationOfState &eos, double dt, const VoidInput &state,
             std::span<double> void_fraction) const override;
     std::string
     name() const override;
