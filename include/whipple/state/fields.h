@@ -63,6 +63,7 @@ namespace whipple
     int stress_11      = -1;
     int stress_01      = -1;
     int plastic_strain = -1;
+    int damage         = -1;
   };
 
   /// The whole moving state of one rank on a FlatMesh.

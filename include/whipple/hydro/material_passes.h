@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/step_work.h>
+#include <whipple/material/material.h>
+
+#include <vector>
+
+/// What the Lagrange step asks of the materials' models, each a batch over all cells. A model that is not there costs
+/// nothing; doc/theory/lagrange_step.md.
+namespace whipple::material_passes
+{
+  /// Arrays that the passes of one mesh share.
+  struct Scratch
+  {
+    std::vector<double> true_density;  ///< gamma handed to the models, g/cm^3
+    std::vector<double> soundness;     ///< share of the spall strength that is left; empty unless something lowers it
+    std::vector<double> melt_fraction; ///< empty unless a material melts
+  };
+
+  Scratch
+  make_scratch(const std::vector<Material> &materials, Index n_cells);
+
+  /// Bulk pressure (1 - phi) P_s(gamma, e), Mbar, and frozen sound speed, cm/us, of every material in every cell (0
+  /// where there is no mass). Where the equation of state gives c^2 < 0 the speed is 0.
+  template <int dim>
+  void
+  evaluate_pressure(const std::vector<Material> &materials, State<dim> &state, Scratch &scratch);
+
+  /// Shear modulus and yield stress of every material with strength into work; the yield stress of damaged material is
+  /// scaled with 1 - D. work.strain_rate must be up to date if a model asks for it.
+  /// @throws StateError if the state lacks the fields of strength.
+  template <int dim>
+  void
+  evaluate_strength(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch,
+                    StepWork<dim> &work);
+
+  /// Next void fractions from next densities and energies of every material with a void law. What is damaged or molten
+  /// opens under less tension: the spall strength is scaled with (1 - D) (1 - melt fraction).
+  template <int dim>
+  void
+  advance_voids(const std::vector<Material> &materials, const State<dim> &state, double dt, Scratch &scratch,
+                StepWork<dim> &work);
+} // namespace whipple::material_passes

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/effect/effect.h>
+
+#include <cmath>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Damage of every material that has a failure model, at the end of each step.
+    class FailurePass : public EffectPass<2>
+    {
+    public:
+      explicit FailurePass(const EffectSetup<2> &setup)
+        : materials_(setup.materials)
+        , damage_(setup.field("damage"))
+        , true_density_(setup.mesh.n_cells)
+        , solid_pressure_(setup.mesh.n_cells)
+        , equivalent_stress_(setup.mesh.n_cells)
+        , plastic_increment_(setup.mesh.n_cells)
+      {
+      }
+
+      void
+      advance(State<2> &state, const StepWork<2> &before, double dt) override
+      {
+        for (std::size_t m = 0; m < materials_.size(); ++m)
+          if (materials_[m].failure)
+            advance_material(state, before.material[m], dt, m);
+      }
+
+    private:
+      void
+      advance_material(State<2> &state, const MaterialWork &before, double dt, std::size_t m)
+      {
+        MaterialState &material = state.material[m];
+        const double   gamma0   = materials_[m].eos->reference_density();
+        const Index    n        = state.n_cells();
+        for (Index c = 0; c < n; ++c)
+          {
+            const double solid = material.has_voids() ? 1. - material.void_fraction[c] : 1.;
+            true_density_[c]   = material.density[c] > 0 ? material.density[c] / solid : gamma0;
+            solid_pressure_[c] = material.pressure[c] / solid;
+          }
+        FailureInput input{true_density_, material.energy, solid_pressure_, material.void_fraction, {}, {}, dt};
+        if (materials_[m].strength)
+          {
+            measure_plastic_flow(state, material, before);
+            input.equivalent_stress = equivalent_stress_;
+            input.plastic_increment = plastic_increment_;
+          }
+        std::vector<double> &damage = material.fields[damage_].value;
+        materials_[m].failure->advance(input, damage);
+        for (Index c = 0; c < n; ++c)
+          damage[c] = material.mass[c] > 0 ? damage[c] : 0.;
+      }
+
+      void
+      measure_plastic_flow(const State<2> &state, const MaterialState &material, const MaterialWork &before)
+      {
+        const auto &s00    = material.fields[state.index.stress_00].value;
+        const auto &s11    = material.fields[state.index.stress_11].value;
+        const auto &s01    = material.fields[state.index.stress_01].value;
+        const auto &strain = material.fields[state.index.plastic_strain].value;
+        for (Index c = 0; c < state.n_cells(); ++c)
+          {
+            const double hoop = s00[c] + s11[c];
+            equivalent_stress_[c] =
+                std::sqrt(1.5 * (s00[c] * s00[c] + s11[c] * s11[c] + hoop * hoop) + 3. * s01[c] * s01[c]);
+            plastic_increment_[c] = strain[c] - before.plastic_strain[c];
+          }
+      }
+
+      const std::vector<Material> &materials_;
+      int                          damage_;
+      std::vector<double>          true_density_, solid_pressure_, equivalent_stress_, plastic_increment_;
+    };
+
+    const EffectRegistration<2> registration(
+        {
+            .name    = "failure",
+            .summary = "damage: what has failed stays without tensile strength and without yield stress",
+            .documentation =
+                "A damage D, 0 sound ... 1 failed, that never heals, from the material's failure model. Spall "
+                "strength and yield stress are scaled with 1 - D. Without this effect a void that closes is "
+                "sound material again. Graded cohesion breaks the bonds of what has failed.",
+            .fields      = {{"damage", "1", Carrier::mass}},
+            .family      = "Failure",
+            .requires_on = {"voids"},
+        },
+        [](const EffectSetup<2> &setup) { return std::make_unique<FailurePass>(setup); });
+  } // namespace
+} // namespace whipple

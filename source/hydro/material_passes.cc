@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <whipple/error.h>
+#include <whipple/hydro/material_passes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whipple::material_passes
+{
+  namespace
+  {
+    /// gamma = rho / (1 - phi); the reference density where there is nothing.
+    void
+    true_density(const std::vector<double> &density, const std::vector<double> &void_fraction, double reference,
+                 std::vector<double> &result)
+    {
+      const std::size_t n = density.size();
+      if (void_fraction.empty())
+        for (std::size_t c = 0; c < n; ++c)
+          result[c] = density[c] > 0 ? density[c] : reference;
+      else
+        for (std::size_t c = 0; c < n; ++c)
+          result[c] = density[c] > 0 ? density[c] / (1. - void_fraction[c]) : reference;
+    }
+
+    /// The share of its spall strength that each cell of a material has left; empty: all of it everywhere.
+    std::span<const double>
+    soundness(const Material &material, const MaterialState &state, const FieldIndex &index, const MaterialWork &next,
+              Scratch &scratch)
+    {
+      const bool damaged = material.failure && index.damage >= 0;
+      if (!damaged && !material.melts)
+        return {};
+      std::fill(scratch.soundness.begin(), scratch.soundness.end(), 1.);
+      if (damaged)
+        {
+          const std::vector<double> &damage = state.fields[index.damage].value;
+          for (std::size_t c = 0; c < damage.size(); ++c)
+            scratch.soundness[c] = 1. - damage[c];
+        }
+      if (material.melts)
+        {
+          true_density(next.density, next.void_fraction, material.eos->reference_density(), scratch.true_density);
+          ThermalOutput output;
+          output.melt_fraction = scratch.melt_fraction;
+          material.thermal->evaluate(scratch.true_density, next.energy, output);
+          for (std::size_t c = 0; c < scratch.soundness.size(); ++c)
+            scratch.soundness[c] *= 1. - scratch.melt_fraction[c];
+        }
+      return scratch.soundness;
+    }
+  } // namespace
+
+  Scratch
+  make_scratch(const std::vector<Material> &materials, Index n_cells)
+  {
+    Scratch scratch;
+    scratch.true_density.resize(n_cells);
+    for (const Material &material : materials)
+      {
+        if (material.void_law && (material.melts || material.failure))
+          scratch.soundness.resize(n_cells);
+        if (material.void_law && material.melts)
+          scratch.melt_fraction.resize(n_cells);
+      }
+    return scratch;
+  }
+
+  template <int dim>
+  void
+  evaluate_pressure(const std::vector<Material> &materials, State<dim> &state, Scratch &scratch)
+  {
+    const Index n_cells = state.n_cells();
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      {
+        MaterialState &material = state.material[m];
+        true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
+                     scratch.true_density);
+        materials[m].eos->evaluate(scratch.true_density, material.energy, material.pressure, material.sound_speed);
+        if (material.has_voids())
+          for (Index cell = 0; cell < n_cells; ++cell)
+            material.pressure[cell] *= 1. - material.void_fraction[cell];
+        for (Index cell = 0; cell < n_cells; ++cell)
+          {
+            const bool there           = material.mass[cell] > 0;
+            material.pressure[cell]    = there ? material.pressure[cell] : 0.;
+            material.sound_speed[cell] = there ? std::sqrt(std::max(material.sound_speed[cell], 0.)) : 0.;
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  evaluate_strength(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch,
+                    StepWork<dim> &work)
+  {
+    const FieldIndex &index = state.index;
+    if (index.stress_00 < 0 || index.stress_11 < 0 || index.stress_01 < 0 || index.plastic_strain < 0)
+      throw StateError("a material has strength but the state carries no deviatoric stress or plastic strain");
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      {
+        if (!materials[m].strength)
+          continue;
+        const MaterialState &material = state.material[m];
+        MaterialWork        &next     = work.material[m];
+        true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
+                     scratch.true_density);
+        for (std::size_t c = 0; c < next.solid_pressure.size(); ++c)
+          next.solid_pressure[c] =
+              material.has_voids() ? material.pressure[c] / (1. - material.void_fraction[c]) : material.pressure[c];
+        materials[m].strength->evaluate({scratch.true_density, material.energy, next.solid_pressure,
+                                         material.fields[index.plastic_strain].value, work.strain_rate},
+                                        next.shear_modulus, next.yield_stress);
+        if (!materials[m].failure || index.damage < 0)
+          continue;
+        const std::vector<double> &damage = material.fields[index.damage].value;
+        for (std::size_t c = 0; c < damage.size(); ++c)
+          next.yield_stress[c] *= 1. - damage[c];
+      }
+  }
+
+  template <int dim>
+  void
+  advance_voids(const std::vector<Material> &materials, const State<dim> &state, double dt, Scratch &scratch,
+                StepWork<dim> &work)
+  {
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      {
+        if (!materials[m].void_law)
+          continue;
+        MaterialWork &next = work.material[m];
+        std::copy(state.material[m].void_fraction.begin(), state.material[m].void_fraction.end(),
+                  next.void_fraction.begin());
+        const auto sound = soundness(materials[m], state.material[m], state.index, next, scratch);
+        materials[m].void_law->advance(*materials[m].eos, dt, {next.density, next.energy, sound}, next.void_fraction);
+      }
+  }
+
+  template void
+  evaluate_pressure(const std::vector<Material> &, State<2> &, Scratch &);
+  template void
+  evaluate_strength(const std::vector<Material> &, const State<2> &, Scratch &, StepWork<2> &);
+  template void
+  advance_voids(const std::vector<Material> &, const State<2> &, double, Scratch &, StepWork<2> &);
+} // namespace whipple::material_passes
