@@ -3,9 +3,6 @@
 #include <whipple/error.h>
 #include <whipple/hydro/lagrange_step.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace whipple
 {
   namespace
@@ -68,10 +65,17 @@ namespace whipple
           if (materials.size() > 1)
             next.half_pressure.resize(mesh.n_cells);
           if (materials[m].void_law)
-            next.void_fraction.resize(mesh.n_cells);
+            {
+              next.void_fraction.resize(mesh.n_cells);
+              next.pores_resist = materials[m].void_law->pores_resist();
+            }
           if (!materials[m].strength)
             continue;
           work.has_strength = true;
+          if (materials[m].strength->needs_pressure())
+            next.solid_pressure.resize(mesh.n_cells);
+          if (materials[m].strength->needs_strain_rate())
+            work.strain_rate.resize(mesh.n_cells);
           for (auto *array : {&next.shear_modulus, &next.yield_stress, &next.stress[0], &next.stress[1],
                               &next.stress[2], &next.plastic_strain})
             array->resize(mesh.n_cells);
@@ -120,8 +124,10 @@ namespace whipple
     , parameters_(parameters)
     , motion_(mesh, boundaries)
     , work_(make_work(mesh, materials, boundaries))
-    , true_density_(mesh.n_cells)
+    , scratch_(material_passes::make_scratch(materials, mesh.n_cells))
   {
+    if (parameters.viscosity != ViscosityKind::scalar)
+      work_.viscous_force.resize(pack_count(mesh.n_cells));
   }
 
   template <int dim>
@@ -149,57 +155,22 @@ namespace whipple
 
   template <int dim>
   void
-  LagrangeStep<dim>::evaluate_true_density(const MaterialState &state, const Material &material) const
-  {
-    const double reference = material.eos->reference_density();
-    const Index  n         = mesh_.n_cells;
-    if (state.has_voids())
-      for (Index cell = 0; cell < n; ++cell)
-        true_density_[cell] =
-            state.density[cell] > 0 ? state.density[cell] / (1. - state.void_fraction[cell]) : reference;
-    else
-      for (Index cell = 0; cell < n; ++cell)
-        true_density_[cell] = state.density[cell] > 0 ? state.density[cell] : reference;
-  }
-
-  template <int dim>
-  void
   LagrangeStep<dim>::update_pressure(State<dim> &state) const
   {
-    for (std::size_t m = 0; m < materials_.size(); ++m)
-      {
-        MaterialState &material = state.material[m];
-        evaluate_true_density(material, materials_[m]);
-        materials_[m].eos->evaluate(true_density_, material.energy, material.pressure, material.sound_speed);
-        if (material.has_voids())
-          for (Index cell = 0; cell < mesh_.n_cells; ++cell)
-            material.pressure[cell] *= 1. - material.void_fraction[cell];
-        for (Index cell = 0; cell < mesh_.n_cells; ++cell)
-          {
-            const bool there           = material.mass[cell] > 0;
-            material.pressure[cell]    = there ? material.pressure[cell] : 0.;
-            material.sound_speed[cell] = there ? std::sqrt(std::max(material.sound_speed[cell], 0.)) : 0.;
-          }
-      }
+    material_passes::evaluate_pressure(materials_, state, scratch_);
+    strength_is_current_ = false;
   }
 
   template <int dim>
   void
   LagrangeStep<dim>::evaluate_strength(const State<dim> &state) const
   {
-    if (!work_.has_strength)
+    if (!work_.has_strength || strength_is_current_)
       return;
-    const FieldIndex &index = state.index;
-    if (index.stress_00 < 0 || index.stress_11 < 0 || index.stress_01 < 0 || index.plastic_strain < 0)
-      throw StateError("a material has strength but the state carries no deviatoric stress or plastic strain");
-    for (std::size_t m = 0; m < materials_.size(); ++m)
-      if (materials_[m].strength)
-        {
-          const MaterialState &material = state.material[m];
-          evaluate_true_density(material, materials_[m]);
-          materials_[m].strength->evaluate(true_density_, material.energy, material.fields[index.plastic_strain].value,
-                                           work_.material[m].shear_modulus, work_.material[m].yield_stress);
-        }
+    if (!work_.strain_rate.empty())
+      cell_kernels::strain_rates(mesh_, state, work_);
+    material_passes::evaluate_strength(materials_, state, scratch_, work_);
+    strength_is_current_ = true;
   }
 
   template <int dim>
@@ -208,20 +179,6 @@ namespace whipple
   {
     evaluate_strength(state);
     return find_time_step(mesh_, state, parameters_, work_);
-  }
-
-  template <int dim>
-  void
-  LagrangeStep<dim>::advance_voids(const State<dim> &state, double dt)
-  {
-    for (std::size_t m = 0; m < materials_.size(); ++m)
-      if (materials_[m].void_law)
-        {
-          MaterialWork &next = work_.material[m];
-          std::copy(state.material[m].void_fraction.begin(), state.material[m].void_fraction.end(),
-                    next.void_fraction.begin());
-          materials_[m].void_law->advance(*materials_[m].eos, dt, next.density, next.energy, next.void_fraction);
-        }
   }
 
   template <int dim>
@@ -262,9 +219,11 @@ namespace whipple
     cell_kernels::stretch_rates(mesh_, state, work_);
     cell_kernels::corner_forces(mesh_, state, parameters_, dt, work_);
     motion_.load_sides(state, work_);
-    const BoundaryExchange<dim>     exchange    = motion_.move(state, dt, work_);
-    const cell_kernels::Dissipation dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
-    advance_voids(state, dt);
+    const BoundaryExchange<dim> exchange    = motion_.move(state, dt, work_);
+    cell_kernels::Dissipation   dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
+    if (!work_.viscous_force.empty())
+      dissipation.viscous = cell_kernels::viscous_work(mesh_, dt, work_);
+    material_passes::advance_voids(materials_, state, dt, scratch_, work_);
 
     commit(state, dt);
     update_pressure(state);

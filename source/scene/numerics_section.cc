@@ -20,6 +20,7 @@ namespace whipple::sections
     declare("Volume change limit", defaults.hydro.max_volume_change, "largest relative volume change in a step");
     declare("Advection limit", defaults.advection_limit, "largest displacement of a node in a step, in cell edges");
     declare("Time step growth", defaults.growth_limit, "largest ratio of one time step to the last");
+    section.declare("Viscosity", "scalar", "scalar (a pressure) | tensor (a stress along the compression)");
     declare("Linear viscosity", defaults.hydro.linear_viscosity, "coefficient of the artificial viscosity");
     declare("Quadratic viscosity", defaults.hydro.quadratic_viscosity, "coefficient of the artificial viscosity");
     declare("Hourglass coefficient", defaults.hydro.hourglass, "resistance to hourglass motion");
@@ -33,10 +34,12 @@ namespace whipple::sections
     constexpr double   least = 1e-6; // smaller factors could as well be zero, and would never end
     const SceneSection section(parameters, path);
     Numerics           numerics;
-    numerics.hydro.courant             = section.between("Courant number", units::number, least, 1);
-    numerics.hydro.max_volume_change   = section.between("Volume change limit", units::number, least, 0.5);
-    numerics.advection_limit           = section.between("Advection limit", units::number, least, 0.5);
-    numerics.growth_limit              = section.between("Time step growth", units::number, 1.001, 10);
+    numerics.hydro.courant           = section.between("Courant number", units::number, least, 1);
+    numerics.hydro.max_volume_change = section.between("Volume change limit", units::number, least, 0.5);
+    numerics.advection_limit         = section.between("Advection limit", units::number, least, 0.5);
+    numerics.growth_limit            = section.between("Time step growth", units::number, 1.001, 10);
+    numerics.hydro.viscosity         = section.choice<ViscosityKind>(
+        "Viscosity", {{"scalar", ViscosityKind::scalar}, {"tensor", ViscosityKind::tensor}});
     numerics.hydro.linear_viscosity    = section.non_negative("Linear viscosity", units::number);
     numerics.hydro.quadratic_viscosity = section.non_negative("Quadratic viscosity", units::number);
     numerics.hydro.hourglass           = section.non_negative("Hourglass coefficient", units::number);

@@ -25,11 +25,32 @@ namespace whipple::cell_kernels
   void
   stretch_rates(const FlatMesh<dim> &mesh, const State<dim> &state, StepWork<dim> &work);
 
+  /// work.strain_rate = sqrt(2/3 D':D') of the deviatoric rate of deformation D' at the positions and velocities of the
+  /// state, 1/us.
+  template <int dim>
+  void
+  strain_rates(const FlatMesh<dim> &mesh, const State<dim> &state, StepWork<dim> &work);
+
   /// work.corner_force, work.half_step and half-step pressures from positions and stresses at half step.
   template <int dim>
   void
   corner_forces(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
                 StepWork<dim> &work);
+
+  /// The same with one kind of viscosity, whatever the parameters say.
+  template <int dim>
+  void
+  corner_forces_scalar(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
+                       StepWork<dim> &work);
+  template <int dim>
+  void
+  corner_forces_tensor(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
+                       StepWork<dim> &work);
+
+  /// Kinetic energy that work.viscous_force turns into heat in owned cells, Mbar cm^3.
+  template <int dim>
+  double
+  viscous_work(const FlatMesh<dim> &mesh, double dt, const StepWork<dim> &work);
 
   /// Next volume, and next volume, density, energy, stress and plastic strain of every material, from
   /// work.position, work.mean_velocity and the corner forces.

@@ -3,6 +3,7 @@
 
 #include <whipple/hydro/cell_kernels.h>
 #include <whipple/hydro/hydro_parameters.h>
+#include <whipple/hydro/material_passes.h>
 #include <whipple/hydro/node_motion.h>
 #include <whipple/hydro/time_step.h>
 #include <whipple/material/material.h>
@@ -64,17 +65,19 @@ namespace whipple
     LagrangeReport<dim>
     advance(State<dim> &state, double dt);
 
-  private:
-    /// gamma = rho / (1 - phi) of a material into true_density_; reference density where there is no mass.
-    void
-    evaluate_true_density(const MaterialState &state, const Material &material) const;
+    /// What the last advance() started from, where it has successors: volumes, densities, energies, stresses and
+    /// plastic strains of the materials, positions and velocities of the nodes.
+    const StepWork<dim> &
+    before() const
+    {
+      return work_;
+    }
 
-    /// Shear modulus and yield stress of every material with strength into work_.
+  private:
+    /// Shear modulus and yield stress of every material with strength into work_, once for every state: time_step() and
+    /// advance() both need them.
     void
     evaluate_strength(const State<dim> &state) const;
-
-    void
-    advance_voids(const State<dim> &state, double dt);
 
     /// Swap the next values into the state.
     void
@@ -86,6 +89,7 @@ namespace whipple
     NodeMotion<dim>              motion_;
     mutable StepWork<dim>        work_;
 
-    mutable std::vector<double> true_density_; ///< gamma handed to the equation of state
+    mutable material_passes::Scratch scratch_;
+    mutable bool                     strength_is_current_ = false; ///< strength evaluated since update_pressure()
   };
 } // namespace whipple

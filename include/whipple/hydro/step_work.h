@@ -18,7 +18,7 @@ namespace whipple
     geometry::QuadOf<Pack> volume_gradient; ///< B_k, cm^2
     std::array<Pack, 4>    hoop;            ///< h_k, cm^2; 0 in planar symmetry
     Pack                   volume;          ///< cm^3
-    Pack                   viscosity;       ///< artificial viscosity q, Mbar
+    Pack                   viscosity;       ///< scalar artificial viscosity q, Mbar
     std::array<Pack, 2>    hourglass_drag;  ///< hourglass force along each axis over its corner vector, g cm/us^2
     std::array<Pack, 2>    hourglass_shape; ///< sum_k (-1)^k x_k, cm: how far the cell is from a parallelogram
   };
@@ -26,12 +26,14 @@ namespace whipple
   /// Next values of one material, and what its models returned at the start of the step.
   struct MaterialWork
   {
-    std::vector<double>                shear_modulus; ///< G, Mbar; empty without strength
-    std::vector<double>                yield_stress;  ///< Y, Mbar; empty without strength
-    std::vector<double>                half_pressure; ///< P at half step, Mbar; empty if there is one material
+    std::vector<double>                shear_modulus;  ///< G, Mbar; empty without strength
+    std::vector<double>                yield_stress;   ///< Y, Mbar; empty without strength
+    std::vector<double>                solid_pressure; ///< P_s, Mbar; empty unless the strength model asks for it
+    std::vector<double>                half_pressure;  ///< P at half step, Mbar; empty if there is one material
     std::vector<double>                volume, density, energy;
-    std::vector<double>                void_fraction; ///< empty without void law
-    std::array<std::vector<double>, 3> stress;        ///< s_00, s_11, s_01; empty without strength
+    std::vector<double>                void_fraction;        ///< empty without void law
+    bool                               pores_resist = false; ///< VoidLaw::pores_resist()
+    std::array<std::vector<double>, 3> stress;               ///< s_00, s_11, s_01; empty without strength
     std::vector<double>                plastic_strain;
   };
 
@@ -56,10 +58,15 @@ namespace whipple
     std::array<std::vector<double>, dim> stretch_rate; ///< [n_cells + 1] along the logical axes, 1/us
     std::vector<Neighbours>              neighbours;   ///< [n_cells]; empty if no cell has any
     std::vector<double>                  mass;         ///< [n_cells] all materials, g
-    std::vector<double>                  corner_force; ///< [(n_cells * corners + k) * dim + axis] Mbar cm^2
-    std::vector<double>                  volume;       ///< [n_cells] next
-    std::vector<HalfStepPack>            half_step;    ///< [pack_count(n_cells)]
-    std::vector<MaterialWork>            material;
+    std::vector<double> strain_rate; ///< [n_cells] equivalent rate of the deviatoric motion, 1/us; empty unless a
+                                     ///< strength model asks for it
+    std::vector<double>       corner_force; ///< [(n_cells * corners + k) * dim + axis] Mbar cm^2
+    std::vector<double>       volume;       ///< [n_cells] next
+    std::vector<HalfStepPack> half_step;    ///< [pack_count(n_cells)]
+
+    /// [pack_count(n_cells)] forces of the artificial viscosity on the corners, Mbar cm^2; empty where it is scalar
+    std::vector<geometry::QuadOf<Pack>> viscous_force;
+    std::vector<MaterialWork>           material;
 
     std::vector<closure::Part> mixed_part;   ///< materials of the mixed cell at hand
     std::vector<double>        mixed_volume; ///< and their next volumes

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/cell_kernels.h>
+#include <whipple/hydro/cell_viscosity.h>
+#include <whipple/hydro/closure.h>
+#include <whipple/hydro/hourglass.h>
+#include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/velocity_gradient.h>
+
+/// The force pass over the cells, for one kind of artificial viscosity. Each kind has its own source file, which
+/// includes this one: all in one, the compiler stops inlining and every kind pays (some 10 % of a step).
+namespace whipple::cell_kernels
+{
+  namespace
+  {
+    /// Volume-weighted means over the materials of a pack of cells at half step.
+    struct MeanState
+    {
+      Pack                       pressure    = 0.; ///< sum f P, Mbar
+      Pack                       sound_speed = 0.; ///< mass-weighted, cm/us
+      plasticity::Deviator<Pack> stress{0., 0., 0.};
+    };
+
+    /// How a pack of cells is filled.
+    struct Filling
+    {
+      Pack::mask_type open;       ///< holds open void
+      Pack            modulus;    ///< what a full cell answers volume change with, V / sum(V_m / K_m), Mbar
+      Pack            compressed; ///< part of a compression that the materials of a cell with open void take
+      Pack            occupied;   ///< sum V_m / V
+    };
+
+    template <int dim>
+    Filling
+    filling(const State<dim> &state, const Pack &volume, const Pack &strain, Index first)
+    {
+      Pack occupied(0.), compliance(0.), pressed(0.);
+      for (const MaterialState &material : state.material)
+        {
+          const Pack v = load(material.volume, first), c = load(material.sound_speed, first);
+          const Pack modulus = load(material.density, first) * c * c;
+          occupied += v;
+          pressed += v * load(material.pressure, first);
+          compliance += select(v > 0., v / modulus, Pack(0.));
+        }
+      const Pack filled = occupied / volume;
+      return {volume - occupied > closure::closed_share * volume,
+              select(compliance > 0., occupied / compliance, Pack(0.)),
+              select(strain > 0., closure::compressed_share(filled, strain, pressed > 0.), Pack(0.)), filled};
+    }
+
+    /// Half-step pressure of one material. Pores give way before the material does: where they are open, and the law
+    /// does not say that they resist, the pressure is not extrapolated. Beside open void a material carries no tension
+    /// (`least`, 0 without strength: with it the stress across the surface vanishes, not the pressure),
+    /// and of a compression it takes part only as far as closure::compressed_share() says; its pressure on the nodes is
+    /// scaled with that, so that the work done on it belongs to the change of its volume (a wisp in a cell that keeps
+    /// closing would otherwise be heated without bound).
+    Pack
+    half_pressure(const MaterialState &material, bool pores_resist, const Filling &fill, const Pack &expansion,
+                  const Pack &least, Index first)
+    {
+      const Pack pressure = load(material.pressure, first);
+      const Pack c = load(material.sound_speed, first), modulus = load(material.density, first) * c * c;
+      const auto compressed = expansion < 0. && fill.occupied > 0.;
+      const Pack part       = select(compressed && fill.open, Pack(fill.compressed / fill.occupied), Pack(1.));
+      Pack       full       = pressure - fill.modulus * expansion;
+      Pack       loose      = pressure - modulus * (part * expansion);
+      if (material.has_voids() && !pores_resist)
+        {
+          const auto porous = load(material.void_fraction, first) > 0.;
+          full              = select(porous, pressure, full);
+          loose             = select(porous, pressure, loose);
+        }
+      return select(fill.open, Pack(part * max(loose, least)), full);
+    }
+
+    /// (1 - phi) times the least principal deviator: the pressure of solid across whose surface nothing presses, Mbar.
+    template <int dim>
+    Pack
+    least_pressure(const State<dim> &state, const MaterialState &material, Index first)
+    {
+      Pack least = plasticity::least_principal(
+          plasticity::Deviator<Pack>{load(material.fields[state.index.stress_00].value, first),
+                                     load(material.fields[state.index.stress_11].value, first),
+                                     load(material.fields[state.index.stress_01].value, first)});
+      if (material.has_voids())
+        least *= 1. - load(material.void_fraction, first);
+      return least;
+    }
+
+    /// Half-step deviator of one material.
+    template <int dim>
+    plasticity::Deviator<Pack>
+    half_stress(const State<dim> &state, const MaterialState &material, const MaterialWork &next,
+                const plasticity::Rates<Pack> &rate, double half_dt, Index first)
+    {
+      const plasticity::Deviator<Pack> old{load(material.fields[state.index.stress_00].value, first),
+                                           load(material.fields[state.index.stress_11].value, first),
+                                           load(material.fields[state.index.stress_01].value, first)};
+      const plasticity::Deviator<Pack> trial = plasticity::stretch(plasticity::rotate(old, rate.spin, half_dt), rate,
+                                                                   load(next.shear_modulus, first), half_dt);
+      return plasticity::return_radially(trial, plasticity::equivalent_stress(trial), load(next.yield_stress, first));
+    }
+
+    template <bool strength, int dim>
+    MeanState
+    mean_state(const State<dim> &state, const VelocityGradient<Pack> &gradient, const Filling &fill, double dt,
+               Index first, StepWork<dim> &work)
+    {
+      const Pack volume    = load(state.volume, first);
+      const Pack expansion = 0.5 * dt * gradient.divergence();
+      const auto rate =
+          plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
+      MeanState mean;
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        {
+          const MaterialState &material = state.material[m];
+          const Pack           share    = load(material.volume, first) / volume;
+          if (none_of(share > 0.))
+            continue;
+          Pack least(0.);
+          if constexpr (strength)
+            if (!work.material[m].shear_modulus.empty() && any_of(fill.open))
+              least = least_pressure(state, material, first);
+          const Pack pressure = half_pressure(material, work.material[m].pores_resist, fill, expansion, least, first);
+          if (!work.material[m].half_pressure.empty())
+            store(pressure, work.material[m].half_pressure, first);
+          mean.pressure += share * pressure;
+          mean.sound_speed += load(material.mass, first) * load(material.sound_speed, first);
+          if constexpr (strength)
+            if (!work.material[m].shear_modulus.empty())
+              {
+                const auto s     = half_stress(state, material, work.material[m], rate, 0.5 * dt, first);
+                Pack       solid = share;
+                if (material.has_voids())
+                  solid *= 1. - load(material.void_fraction, first);
+                mean.stress.s00 += solid * s.s00;
+                mean.stress.s11 += solid * s.s11;
+                mean.stress.s01 += solid * s.s01;
+              }
+        }
+      const Pack mass  = load(work.mass, first);
+      mean.sound_speed = select(mass > 0., mean.sound_speed / mass, Pack(0.));
+      return mean;
+    }
+
+    /// Write the forces of the corners of a pack of cells.
+    template <int dim>
+    void
+    store_forces(const geometry::QuadOf<Pack> &force, Index first, StepWork<dim> &work)
+    {
+      const Index end = std::min<Index>(static_cast<Index>(work.mass.size()), first + pack_size);
+      for (Index cell = first; cell < end; ++cell)
+        for (int k = 0; k < 4; ++k)
+          for (int d = 0; d < dim; ++d)
+            work.corner_force[(cell * 4 + k) * dim + d] = force[d][k][cell - first];
+    }
+
+    template <Symmetry symmetry, bool strength, ViscosityKind kind, int dim>
+    void
+    corner_forces_of(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
+                     StepWork<dim> &work)
+    {
+      for (Index first = 0, pack = 0; first < mesh.n_cells; first += pack_size, ++pack)
+        {
+          const geometry::QuadOf<Pack> x = gather_corners(mesh, work.half_position, first);
+          const geometry::QuadOf<Pack> v = gather_corners(mesh, state.velocity, first);
+
+          HalfStepPack &half   = work.half_step[pack];
+          half.volume_gradient = geometry::volume_gradient<symmetry>(x);
+          half.hoop            = geometry::hoop_weight<symmetry>(x);
+          half.volume          = geometry::volume<symmetry>(x);
+          half.hourglass_shape = {hourglass::moment(x[0]), hourglass::moment(x[1])};
+
+          const auto      gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
+          const Pack      strain   = -dt * gradient.divergence();
+          const Filling   fill     = filling(state, load(state.volume, first), strain, first);
+          const MeanState mean     = mean_state<strength>(state, gradient, fill, dt, first, work);
+          const Pack      mass = load(work.mass, first), inverse = 1. / half.volume;
+          if constexpr (kind == ViscosityKind::scalar)
+            {
+              half.viscosity = artificial_viscosity(parameters, x, v, gradient.divergence(), Pack(mass * inverse),
+                                                    mean.sound_speed, first, work);
+              half.viscosity *= select(fill.open, fill.compressed, Pack(1.));
+            }
+          else
+            half.viscosity = 0.;
+
+          Pack area = half.volume;
+          if constexpr (symmetry == Symmetry::axisymmetric)
+            area = (half.hoop[0] + half.hoop[1] + half.hoop[2] + half.hoop[3]) * (0.5 / std::numbers::pi);
+          const Pack resistance = select(
+              mass > 0., 0.25 * parameters.hourglass * mass * mean.sound_speed / sqrt(max(area, Pack(0.))), Pack(0.));
+          half.hourglass_drag = hourglass::velocity(half.hourglass_shape, gradient, v);
+          for (Pack &drag : half.hourglass_drag)
+            drag *= resistance;
+
+          const Pack                       pressure = mean.pressure + half.viscosity;
+          const plasticity::Deviator<Pack> s        = mean.stress;
+          geometry::QuadOf<Pack>           force;
+          for (int k = 0; k < 4; ++k)
+            {
+              const Pack b0 = half.volume_gradient[0][k], g1 = half.volume_gradient[1][k], h = half.hoop[k];
+              const Pack g0    = b0 - h;
+              const Pack gamma = hourglass::shape_vector(k, half.hourglass_shape, g0, g1, inverse);
+              force[0][k]      = pressure * b0 - half.hourglass_drag[0] * gamma;
+              force[1][k]      = pressure * g1 - half.hourglass_drag[1] * gamma;
+              if constexpr (strength)
+                {
+                  force[0][k] -= s.s00 * g0 + s.s01 * g1 - (s.s00 + s.s11) * h;
+                  force[1][k] -= s.s01 * g0 + s.s11 * g1;
+                }
+            }
+          if constexpr (kind == ViscosityKind::tensor)
+            add_viscous(
+                tensor_force(parameters, x, v, gradient, half, Pack(mass * inverse), mean.sound_speed, first, work),
+                select(fill.open, fill.compressed, Pack(1.)), force, work.viscous_force[pack]);
+          store_forces(force, first, work);
+        }
+    }
+
+    template <ViscosityKind kind, int dim>
+    void
+    corner_forces_with(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
+                       StepWork<dim> &work)
+    {
+      const bool planar = mesh.symmetry == Symmetry::planar;
+      if (planar && work.has_strength)
+        corner_forces_of<Symmetry::planar, true, kind>(mesh, state, parameters, dt, work);
+      else if (planar)
+        corner_forces_of<Symmetry::planar, false, kind>(mesh, state, parameters, dt, work);
+      else if (work.has_strength)
+        corner_forces_of<Symmetry::axisymmetric, true, kind>(mesh, state, parameters, dt, work);
+      else
+        corner_forces_of<Symmetry::axisymmetric, false, kind>(mesh, state, parameters, dt, work);
+    }
+  } // namespace
+} // namespace whipple::cell_kernels
