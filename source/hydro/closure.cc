@@ -80,6 +80,7 @@ namespace whipple::closure
       }
     else
       for (std::size_t m = 0; m < part.size(); ++m)
-        result[m] = part[m].pressure > 0 ? part[m].volume * (new_cell_volume / cell_volume) : part[m].volume;
+        result[m] =
+            part[m].pressure > part[m].loose ? part[m].volume * (new_cell_volume / cell_volume) : part[m].volume;
   }
 } // namespace whipple::closure

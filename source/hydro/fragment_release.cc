@@ -17,6 +17,18 @@ namespace whipple
       return std::min(std::min(j[0], j[1]), std::min(j[2], j[3])) < least_jacobian * mean || mean <= 0;
     }
 
+    bool
+    shares_nodes(const FlatMesh<2> &mesh, Index c)
+    {
+      bool shares = false;
+      for (int k = 0; k < 4; ++k)
+        {
+          const Index n = mesh.cell_node[4 * c + k];
+          shares        = shares || mesh.node_corner_begin[n + 1] - mesh.node_corner_begin[n] > 1;
+        }
+      return shares;
+    }
+
     /// Give all corners of a cell one velocity; returns the kinetic energy of the relative motion.
     double
     make_rigid(const FlatMesh<2> &mesh, State<2> &state, Index c, bool at_axis)
@@ -54,6 +66,8 @@ namespace whipple
     ReleaseReport report;
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
+        if (mesh.intact[c] && shares_nodes(mesh, c))
+          continue;
         geometry::Quad now, next;
         bool           rigid = true, crosses_axis = false, at_axis = false;
         for (int k = 0; k < 4; ++k)

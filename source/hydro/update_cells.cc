@@ -36,6 +36,20 @@ namespace whipple::cell_kernels
       return {materials, (materials > 0. && open) || materials > 1.};
     }
 
+    /// (1 - phi) times the least principal deviator: what is left of the pressure at a free surface, Mbar.
+    template <int dim>
+    double
+    loose_pressure(const State<dim> &state, const MaterialState &material, const StepWork<dim> &work, Index cell)
+    {
+      if (!work.has_strength)
+        return 0.;
+      const double solid = material.has_voids() ? 1. - material.void_fraction[cell] : 1.;
+      return solid * plasticity::least_principal(
+                         plasticity::Deviator<double>{material.fields[state.index.stress_00].value[cell],
+                                                      material.fields[state.index.stress_11].value[cell],
+                                                      material.fields[state.index.stress_01].value[cell]});
+    }
+
     /// Closure of one mixed cell into work.material[].volume.
     template <int dim>
     void
@@ -47,7 +61,8 @@ namespace whipple::cell_kernels
         if (material.volume[cell] > 0)
           {
             const double c = material.sound_speed[cell];
-            part.push_back({material.volume[cell], material.density[cell] * c * c, material.pressure[cell]});
+            part.push_back({material.volume[cell], material.density[cell] * c * c, material.pressure[cell],
+                            loose_pressure(state, material, work, cell)});
           }
       result.resize(part.size());
       closure::share_volume(state.volume[cell], work.volume[cell], part, result);

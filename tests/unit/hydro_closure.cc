@@ -61,4 +61,16 @@ namespace
     EXPECT_NEAR(sum, 0.05, 1e-16);
     EXPECT_DOUBLE_EQ(share(1., 0.5, {{0.25, 0., 0.}, {0.75, 1., 0.}})[0], 0.125);
   }
+
+  TEST(HydroClosure, SolidBesideOpenVoidStretchesUntilItsSurfaceIsFree)
+  {
+    // half filled, P = -0.001: expands with the cell while that is above the least principal deviator
+    double                  volume[1];
+    const closure::Part     held[]{{0.5, 0.8, -0.001, -0.002}}, loose[]{{0.5, 0.8, -0.001, -0.0005}};
+    const std::span<double> result(volume);
+    closure::share_volume(1., 1.1, held, result);
+    EXPECT_DOUBLE_EQ(volume[0], 0.55);
+    closure::share_volume(1., 1.1, loose, result);
+    EXPECT_DOUBLE_EQ(volume[0], 0.5);
+  }
 } // namespace

@@ -38,16 +38,17 @@ namespace whipple::closure
   /// One material of a mixed cell.
   struct Part
   {
-    double volume;   ///< V_m > 0, cm^3
-    double modulus;  ///< rho c^2 >= 0, Mbar
-    double pressure; ///< P, Mbar
+    double volume;    ///< V_m > 0, cm^3
+    double modulus;   ///< rho c^2 >= 0, Mbar
+    double pressure;  ///< P, Mbar
+    double loose = 0; ///< pressure <= 0 at which it no longer presses on open void: its least principal deviator, Mbar
   };
 
   /// New volumes of the materials when the cell goes from `cell_volume` to `new_cell_volume`.
   ///
   /// With open void, the materials take compressed_share() of a compression; expansion opens the void, but a material
-  /// under pressure expands with the cell. Without open void, all materials change their pressure by the same amount:
-  /// V_m -> V_m exp(-x / K_m).
+  /// whose pressure is above `loose` expands with the cell. Without open void, all materials change their pressure by
+  /// the same amount: V_m -> V_m exp(-x / K_m).
   /// @param part   materials with volume > 0
   /// @param result new volumes, same order; positive if new_cell_volume is
   void

@@ -17,7 +17,7 @@ namespace whipple
   /// `least_jacobian` of the mean, or a corner across the axis of symmetry, stops deforming: all its corners
   /// take the velocity of its centre of mass (at the axis: without radial part). Mass, axial momentum and
   /// total energy are kept: the kinetic energy of the relative motion heats the fragment.
-  /// For meshes of fragments only (every cell has its own nodes).
+  /// Of cells that share no node with others; those that do are left alone.
   template <int dim>
   ReleaseReport
   release_fragments(const FlatMesh<dim> &mesh, State<dim> &state, double dt, double least_jacobian = 0.1);

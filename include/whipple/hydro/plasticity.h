@@ -64,6 +64,18 @@ namespace whipple::plasticity
     return sqrt(1.5 * (s.s00 * s.s00 + s.s11 * s.s11 + hoop * hoop + 2. * s.s01 * s.s01));
   }
 
+  /// The smallest principal value, <= 0: the pressure of a surface that bears no stress across the direction in which
+  /// the solid is pushed most (or pulled least).
+  template <typename Number>
+  inline Number
+  least_principal(const Deviator<Number> &s)
+  {
+    using std::sqrt;
+    const Number mean = 0.5 * (s.s00 + s.s11), half = 0.5 * (s.s00 - s.s11);
+    const Number in_plane = mean - sqrt(half * half + s.s01 * s.s01), hoop = -2. * mean;
+    return select(hoop < in_plane, hoop, in_plane);
+  }
+
   /// Scale s back to the yield surface where it lies outside; s_eq is its equivalent stress.
   template <typename Number>
   inline Deviator<Number>
