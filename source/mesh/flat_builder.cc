@@ -26,10 +26,10 @@ namespace whipple
     class Builder
     {
     public:
-      Builder(const Lattice<dim> &lattice, FlatMesh<dim> &mesh, Cohesion cohesion)
+      Builder(const Lattice<dim> &lattice, FlatMesh<dim> &mesh)
         : lattice_(lattice)
         , mesh_(mesh)
-        , cohesion_(cohesion)
+        , any_intact_(std::find(mesh.intact.begin(), mesh.intact.end(), 1) != mesh.intact.end())
         , cell_of_key_(std::span<const CellKey>(mesh.key))
       {
       }
@@ -54,10 +54,10 @@ namespace whipple
       nodes()
       {
         mesh_.cell_node.assign(static_cast<std::size_t>(mesh_.n_cells) * corners, none);
-        if (cohesion_ == Cohesion::fragments)
-          std::iota(mesh_.cell_node.begin(), mesh_.cell_node.end(), Index{0});
-        else
+        if (any_intact_)
           join_corners();
+        else
+          std::iota(mesh_.cell_node.begin(), mesh_.cell_node.end(), Index{0});
         for (const Index node : mesh_.cell_node)
           mesh_.n_nodes = std::max(mesh_.n_nodes, node + 1);
         node_geometry();
@@ -70,7 +70,7 @@ namespace whipple
         static_assert(dim == 2, "a hanging node is the middle of an edge in two dimensions");
         for (auto &middle : middle_)
           middle.assign(mesh_.n_cells, none);
-        if (cohesion_ == Cohesion::fragments)
+        if (!any_intact_)
           return;
         struct Hanging
         {
@@ -80,7 +80,7 @@ namespace whipple
         };
         std::vector<Hanging> found;
         for (Index c = 0; c < mesh_.n_cells; ++c)
-          for (int axis = 0; axis < dim && extent(c) > 1; ++axis)
+          for (int axis = 0; axis < dim && mesh_.intact[c] && extent(c) > 1; ++axis)
             for (int side = 0; side < 2; ++side)
               {
                 const int         along = 1 - axis;
@@ -108,11 +108,9 @@ namespace whipple
       {
         for (auto &list : mesh_.cell_face)
           list.assign(static_cast<std::size_t>(mesh_.n_cells) * subfaces, none);
-        if (cohesion_ == Cohesion::fragments)
-          return;
         for (int axis = 0; axis < dim; ++axis)
           for (Index c = 0; c < mesh_.n_cells; ++c)
-            for (int side = 0; side < 2; ++side)
+            for (int side = 0; side < 2 && mesh_.intact[c]; ++side)
               faces_of_side(c, axis, side);
       }
 
@@ -157,7 +155,7 @@ namespace whipple
         return text;
       }
 
-      /// The cell at a level whose box holds the lattice point, `none` if there is no such leaf.
+      /// The intact cell at a level whose box holds the lattice point, `none` if there is no such leaf.
       Index
       cell_at(int level, LatticePoint<dim> p) const
       {
@@ -169,11 +167,12 @@ namespace whipple
               return none;
             p[d] &= ~(lattice_.extent(level) - 1);
           }
-        return cell_of_key_.find(make_key<dim>(level, p));
+        const Index cell = cell_of_key_.find(make_key<dim>(level, p));
+        return cell == none || mesh_.intact[cell] ? cell : none;
       }
 
-      /// Corners that meet in a point are one node where a chain of shared faces joins their cells: two
-      /// cells that touch in a corner only keep a node each.
+      /// Corners that meet in a point are one node where a chain of bonded faces joins their cells: two
+      /// cells that touch in a corner only keep a node each, and a broken cell keeps all of its own.
       void
       join_corners()
       {
@@ -201,7 +200,12 @@ namespace whipple
         for (const auto &quadrant : around)
           for (int q = 0; q < corners; ++q)
             if (quadrant[q] != none && mesh_.cell_node[quadrant[q]] == none)
-              flood(quadrant, q, next++);
+              {
+                if (mesh_.intact[quadrant[q] / corners])
+                  flood(quadrant, q, next++);
+                else
+                  mesh_.cell_node[quadrant[q]] = next++;
+              }
       }
 
       void
@@ -211,7 +215,8 @@ namespace whipple
         for (int d = 0; d < dim; ++d)
           {
             const int next = q ^ (1 << d);
-            if (quadrant[next] != none && mesh_.cell_node[quadrant[next]] == none)
+            if (quadrant[next] != none && mesh_.cell_node[quadrant[next]] == none &&
+                mesh_.intact[quadrant[next] / corners])
               flood(quadrant, next, node);
           }
       }
@@ -343,7 +348,7 @@ namespace whipple
 
       const Lattice<dim>                     &lattice_;
       FlatMesh<dim>                          &mesh_;
-      Cohesion                                cohesion_;
+      bool                                    any_intact_;
       KeyIndex                                cell_of_key_;
       std::array<std::vector<Index>, 2 * dim> middle_; ///< [side][cell] hanging node in the middle of the side
     };
@@ -352,7 +357,7 @@ namespace whipple
   template <int dim>
   FlatMesh<dim>
   build_flat_mesh(const Lattice<dim> &lattice, std::vector<CellKey> keys, Index n_owned,
-                  std::vector<std::uint8_t> layer, int halo_width, Cohesion cohesion)
+                  std::vector<std::uint8_t> layer, int halo_width, const Bonds &bonds)
   {
     FlatMesh<dim> mesh;
     mesh.symmetry   = lattice.symmetry;
@@ -361,8 +366,12 @@ namespace whipple
     mesh.halo_width = halo_width;
     mesh.key        = std::move(keys);
     mesh.layer      = std::move(layer);
+    bonds.require_size(mesh.n_cells);
+    mesh.intact.resize(mesh.n_cells);
+    for (Index c = 0; c < mesh.n_cells; ++c)
+      mesh.intact[c] = bonds.intact(c);
 
-    Builder<dim> builder(lattice, mesh, cohesion);
+    Builder<dim> builder(lattice, mesh);
     builder.boxes();
     builder.nodes();
     builder.hanging_nodes();
@@ -371,5 +380,5 @@ namespace whipple
   }
 
   template FlatMesh<2>
-  build_flat_mesh(const Lattice<2> &, std::vector<CellKey>, Index, std::vector<std::uint8_t>, int, Cohesion);
+  build_flat_mesh(const Lattice<2> &, std::vector<CellKey>, Index, std::vector<std::uint8_t>, int, const Bonds &);
 } // namespace whipple

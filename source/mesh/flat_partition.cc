@@ -110,17 +110,20 @@ namespace whipple
   template <int dim>
   std::unique_ptr<FlatPartition<dim>>
   flatten_leaves(MPI_Comm communicator, const Lattice<dim> &lattice, std::span<const CellKey> leaves,
-                 std::span<const std::uint8_t> active, int halo_width, Cohesion cohesion)
+                 std::span<const std::uint8_t> active, int halo_width, const Bonds &bonds)
   {
     if (leaves.size() != active.size())
       throw StateError(std::to_string(active.size()) + " activity flags for " + std::to_string(leaves.size()) +
                        " leaves");
-    auto                 partition = std::make_unique<FlatPartition<dim>>();
-    std::vector<CellKey> keys;
+    bonds.require_size(leaves.size());
+    auto                      partition = std::make_unique<FlatPartition<dim>>();
+    std::vector<CellKey>      keys;
+    std::vector<std::uint8_t> intact;
     for (std::size_t i = 0; i < leaves.size(); ++i)
       if (active[i])
         {
           keys.push_back(leaves[i]);
+          intact.push_back(bonds.intact(i));
           partition->leaf_of_cell.push_back(static_cast<Index>(i));
         }
     const Index               n_owned = static_cast<Index>(keys.size());
@@ -133,6 +136,7 @@ namespace whipple
     if (ranks > 1 && halo_width > 0)
       {
         const auto                  cells = gather_all<CellKey>(communicator, keys);
+        const auto                  whole = gather_all<std::uint8_t>(communicator, intact);
         const KeyIndex              index(cells.entry);
         const std::vector<HaloCell> halo = find_halo(lattice, cells, index, rank, halo_width);
         neighbours                       = find_neighbours<dim>(communicator, halo, cells, index, rank);
@@ -140,14 +144,16 @@ namespace whipple
           {
             keys.push_back(cell.key);
             layer.push_back(cell.layer);
+            intact.push_back(whole.entry[index.find(cell.key)]);
           }
       }
-    partition->mesh = build_flat_mesh<dim>(lattice, std::move(keys), n_owned, std::move(layer), halo_width, cohesion);
+    partition->mesh =
+        build_flat_mesh<dim>(lattice, std::move(keys), n_owned, std::move(layer), halo_width, Bonds(std::move(intact)));
     partition->halo = Halo<dim>(communicator, partition->mesh, std::move(neighbours));
     return partition;
   }
 
   template std::unique_ptr<FlatPartition<2>>
   flatten_leaves<2>(MPI_Comm, const Lattice<2> &, std::span<const CellKey>, std::span<const std::uint8_t>, int,
-                    Cohesion);
+                    const Bonds &);
 } // namespace whipple

@@ -315,9 +315,9 @@ namespace whipple
 
   template <int dim>
   std::unique_ptr<FlatPartition<dim>>
-  Forest<dim>::flatten(const std::vector<std::uint8_t> &active, int halo_width, Cohesion cohesion) const
+  Forest<dim>::flatten(const std::vector<std::uint8_t> &active, int halo_width, const Bonds &bonds) const
   {
-    return flatten_leaves<dim>(communicator(), lattice(), leaves(), active, halo_width, cohesion);
+    return flatten_leaves<dim>(communicator(), lattice(), leaves(), active, halo_width, bonds);
   }
 
   template class Forest<2>;

@@ -149,6 +149,7 @@ namespace whipple::summary
                                       {"counts",
                                        {{"retries", counts.retries},
                                         {"releases", counts.releases},
+                                        {"breaks", counts.breaks},
                                         {"rezones", counts.rezones},
                                         {"floors", counts.floors},
                                         {"warnings", counts.warnings}}}};

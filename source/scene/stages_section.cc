@@ -94,10 +94,13 @@ namespace whipple::sections
         stage.max_time_step = *step;
       stage.lost_kinetic_energy = section.choice<KineticLoss>(
           "Lost kinetic energy", {{"heat", KineticLoss::heat}, {"drop", KineticLoss::drop}});
-      stage.cohesion =
-          section.choice<Cohesion>("Cohesion", {{"bonded", Cohesion::bonded}, {"fragments", Cohesion::fragments}});
-      stage.debris         = read_debris(section, scene);
-      stage.representation = section.choice<Representation>(
+      stage.cohesion = section.choice<Cohesion>(
+          "Cohesion", {{"bonded", Cohesion::bonded}, {"graded", Cohesion::graded}, {"fragments", Cohesion::fragments}});
+      stage.breaking.damage        = section.between("Break damage", units::number, 0, 1);
+      stage.breaking.void_fraction = section.between("Break void", units::number, 0, 1);
+      stage.breaking.shape         = section.between("Break shape", units::number, 0, 1);
+      stage.debris                 = read_debris(section, scene);
+      stage.representation         = section.choice<Representation>(
           "Representation", {{"distended", Representation::distended}, {"packages", Representation::packages}});
       return stage;
     }
@@ -183,7 +186,14 @@ namespace whipple::sections
         section.declare("Max time step", "none", "none | a time");
         section.declare("Lost kinetic energy", "heat",
                         "what remap and projection cannot keep: heat (into the material) | drop (booked, as in 1993)");
-        section.declare("Cohesion", "bonded", "lagrangian: bonded | fragments (every element for itself)");
+        section.declare("Cohesion", "bonded",
+                        "lagrangian: bonded | graded (bonds only where the material is intact) | fragments (every "
+                        "element for itself)");
+        section.declare("Break damage", "50 %", "graded: elements of more damage are broken (with the effect failure)");
+        section.declare("Break void", "15 %",
+                        "graded: elements with more void are broken (without the effect failure)");
+        section.declare("Break shape", "20 %",
+                        "graded: elements a corner of which has less than this part of their mean Jacobian are broken");
         section.declare("Void cutoff", "99 %", "lagrangian after eulerian: cells with more void are dropped");
         section.declare(
             "Minimum axial velocity", "10 %",

@@ -52,6 +52,28 @@ namespace whipple
       agree(domain.communicator(), [&] { initialise_geometry(mesh, state); });
     }
 
+    /// How the elements hold together that the cells become: bonds of the forest's leaves.
+    template <int dim>
+    Bonds
+    element_bonds(const Stage &stage, const Domain<dim> &domain)
+    {
+      if (stage.cohesion != Cohesion::graded)
+        return stage.cohesion;
+      const std::vector<std::uint8_t> whole = intact_cells(domain.view->mesh, domain.state, stage.breaking);
+      std::vector<std::uint8_t>       intact(domain.forest.leaves().size(), 0);
+      for (std::size_t c = 0; c < whole.size(); ++c)
+        intact[domain.view->leaf_of_cell[c]] = whole[c];
+      return Bonds(std::move(intact));
+    }
+
+    /// Layers of neighbours that elements need: fragments have no neighbours.
+    template <int dim>
+    int
+    element_halo(const Stage &stage)
+    {
+      return stage.cohesion == Cohesion::fragments ? 0 : halo_width<dim>;
+    }
+
     template <int dim>
     double
     solid_fraction(const CellPacketLayout<dim> &layout, const CellPacket &packet)
@@ -182,8 +204,7 @@ namespace whipple
     std::vector<std::uint8_t> active(domain.forest.leaves().size(), 0);
     for (Index c = 0; c < cells.n_owned; ++c)
       active[domain.view->leaf_of_cell[c]] = selection.kept(c);
-    const bool bonded = stage.cohesion == Cohesion::bonded;
-    auto       view   = domain.forest.flatten(active, bonded ? halo_width<dim> : 0, stage.cohesion);
+    auto view = domain.forest.flatten(active, element_halo<dim>(stage), element_bonds(stage, domain));
 
     ToLagrangianReport<dim> report;
     State<dim> state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
@@ -215,16 +236,24 @@ namespace whipple
         for (auto &component : material)
           component.assign(mesh.n_owned, 0.);
       for (Index c = 0; c < mesh.n_owned; ++c)
-        packets[domain.view->leaf_of_cell[c]] = pack<dim>(layout, domain.state, c, corners, normals);
+        {
+          CellPacket &packet = packets[domain.view->leaf_of_cell[c]];
+          packet             = pack<dim>(layout, domain.state, c, corners, normals);
+          packet.push_back(mesh.intact[c]); // travels behind what the layout knows
+        }
     }
     // whatever the number of empty leaves, it is the elements that count
     domain.forest.repartition(packets, [](const CellPacket &packet) { return packet.empty() ? 1u : 1000u; });
 
-    std::vector<std::uint8_t> active(packets.size());
+    std::vector<std::uint8_t> active(packets.size(), 0), intact(packets.size(), 0);
     for (std::size_t i = 0; i < packets.size(); ++i)
-      active[i] = !packets[i].empty();
-    domain.view =
-        domain.forest.flatten(active, stage.cohesion == Cohesion::bonded ? halo_width<dim> : 0, stage.cohesion);
+      if (!packets[i].empty())
+        {
+          active[i] = 1;
+          intact[i] = packets[i].back() != 0;
+          packets[i].pop_back();
+        }
+    domain.view = domain.forest.flatten(active, element_halo<dim>(stage), Bonds(std::move(intact)));
     clear_state(layout_, domain);
     ledger.gathered("projection",
                     unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain),

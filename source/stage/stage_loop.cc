@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/fragment_release.h>
+#include <whipple/stage/bond_breaking.h>
 #include <whipple/stage/collective.h>
 #include <whipple/stage/debris_measure.h>
 #include <whipple/stage/stage_loop.h>
@@ -62,6 +63,24 @@ namespace whipple
     ledger.gathered("regrid", regridding_.regrid(domain, loss), loss);
     new_mesh(domain);
     ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "a regrid", round_off);
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::bonds_break(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  {
+    if (stage_.cohesion != Cohesion::graded || since_regrid_ < scene_.mesh.regrid_steps)
+      return false;
+    since_regrid_                 = 0;
+    const KineticLoss      loss   = stage_.lost_kinetic_energy;
+    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, domain);
+    if (report.broken == 0)
+      return false;
+    counts.breaks += report.broken;
+    ledger.gathered("broken bonds", report.gathered, loss);
+    new_mesh(domain);
+    ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "breaking of bonds", round_off);
+    return true;
   }
 
   template <int dim>
@@ -157,7 +176,7 @@ namespace whipple
   StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
   {
     const double dt = choose_time_step(domain, left);
-    if (stage_.mode == StageMode::lagrangian && stage_.cohesion == Cohesion::fragments)
+    if (stage_.mode == StageMode::lagrangian && stage_.cohesion != Cohesion::bonded)
       release(domain, ledger, counts);
     if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
       for (MaterialState &m : domain.state.material)
@@ -253,6 +272,8 @@ namespace whipple
             regrid(domain, ledger);
             take_snapshot(domain, ledger);
           }
+        else if (!eulerian && bonds_break(domain, ledger, counts))
+          take_snapshot(domain, ledger);
         else if (record_.steps - snapshot_.step >= snapshot_steps)
           take_snapshot(domain, ledger);
       }

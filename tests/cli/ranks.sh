@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# The same bits on 1, 2 and 3 ranks: the whole chain of the Whipple shield on coarse cells, and a Lagrangian blast of
-# cells that share nodes. What only says how much energy changed its form is summed rank by rank: equal to 1e-12.
+# The same bits on 1, 2 and 3 ranks: the whole chain of the Whipple shield on coarse cells, its debris with bonds that
+# break, and a Lagrangian blast of cells that share nodes. What only says how much energy changed its form is summed rank by rank: equal to 1e-12.
 program=$1
 source=$2
 
@@ -44,5 +44,11 @@ compare() {
 compare whipple 0.01 whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' \
   --set 'Stages/wall/End = for 0.2 us' --set 'Output/Fields interval = 100 us'
 grep -q '"leading_edge_velocity_cm_per_us": 0.5' whipple.3/summary.json
+
+# bonds that break at hand-over and in flight
+compare graded 0.01 whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' --set 'Stages/List = perforation, debris' \
+  --set 'Stages/debris/Cohesion = graded' --set 'Stages/debris/Break void = 80 %' \
+  --set 'Output/Fields interval = 100 us'
+grep -q '"breaks": [1-9]' graded.3/summary.json
 
 compare sedov 0.25 verification/sedov.prm --set 'Stages/blast/End = 0.3 us'

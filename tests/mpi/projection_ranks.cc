@@ -105,6 +105,6 @@ TEST(ProjectionRanks, ARankWithoutElementsCarriesTheSameQuantities)
   const auto elements = gather_elements<2>(MPI_COMM_WORLD, CellPacketLayout<2>::of(state),
                                            elements_of<2>(CellPacketLayout<2>::of(state), mesh, state));
   EXPECT_TRUE(elements.empty()); // no material yet
-  EXPECT_EQ(take_snapshot<2>(mesh, state, {"a", "b"}, {.empty_cells = true}).fields.size(),
-            take_snapshot<2>(all, like, {"a", "b"}, {.empty_cells = true}).fields.size());
+  EXPECT_EQ(take_snapshot<2>(mesh, state, {"a", "b"}, {}, {.empty_cells = true}).fields.size(),
+            take_snapshot<2>(all, like, {"a", "b"}, {}, {.empty_cells = true}).fields.size());
 }

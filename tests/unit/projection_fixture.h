@@ -66,11 +66,11 @@ namespace whipple::projection_test
   }
 
   inline FlatMesh<2>
-  mesh_of(const Lattice<2> &lattice, std::vector<CellKey> keys, Cohesion cohesion = Cohesion::bonded)
+  mesh_of(const Lattice<2> &lattice, std::vector<CellKey> keys, const Bonds &bonds = Cohesion::bonded)
   {
     const Index               n = static_cast<Index>(keys.size());
     std::vector<std::uint8_t> layer(n, 0);
-    return build_flat_mesh<2>(lattice, std::move(keys), n, std::move(layer), 1, cohesion);
+    return build_flat_mesh<2>(lattice, std::move(keys), n, std::move(layer), 1, bonds);
   }
 
   /// Zero state with two materials, voids in both, a mass-carried and a volume-carried field.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/mesh/bonds.h>
 #include <whipple/mesh/flat_mesh.h>
 
 #include <array>
@@ -62,19 +63,13 @@ namespace whipple
     return point;
   }
 
-  /// How cells hold together.
-  enum class Cohesion
-  {
-    bonded,   ///< every shared face joins its cells: corners that meet are one node
-    fragments ///< no face joins: every cell has its own nodes
-  };
-
   /// Build the flat view of a set of leaves that do not overlap and are 2:1 balanced over faces and corners.
   /// @param keys  owned cells first, in the order they shall have, then halo cells
   /// @param layer distance of each cell to the owned ones (0 for owned)
-  /// @throws StateError if leaves overlap or are out of balance.
+  /// @param bonds which cells hold together; a broken one has nodes of its own and no faces
+  /// @throws StateError if intact leaves overlap or are out of balance, or bonds are given for another number of cells.
   template <int dim>
   FlatMesh<dim>
   build_flat_mesh(const Lattice<dim> &lattice, std::vector<CellKey> keys, Index n_owned,
-                  std::vector<std::uint8_t> layer, int halo_width, Cohesion cohesion);
+                  std::vector<std::uint8_t> layer, int halo_width, const Bonds &bonds);
 } // namespace whipple

@@ -45,7 +45,7 @@ namespace whipple
   ///
   /// Cells [0, n_owned) are this rank's, in the forest's order; [n_owned, n_cells) are the halo: every
   /// cell of other ranks within `halo_width` vertex neighbours of an owned cell. Nodes are classes of cell
-  /// corners: corners that meet across a bonded face are one node; with no face bonded every cell has its own.
+  /// corners: corners that meet across a bonded face, one between two intact cells, are one node.
   /// All orders that enter a sum depend on geometry alone, never on the partition.
   template <int dim>
   struct FlatMesh
@@ -59,9 +59,10 @@ namespace whipple
     Index    n_nodes    = 0;
     int      halo_width = 0;
 
-    std::vector<CellKey>      key;   ///< [n_cells]
-    std::vector<std::uint8_t> level; ///< [n_cells]
-    std::vector<std::uint8_t> layer; ///< [n_cells] 0 owned, else vertex-neighbour distance to an owned cell
+    std::vector<CellKey>      key;    ///< [n_cells]
+    std::vector<std::uint8_t> level;  ///< [n_cells]
+    std::vector<std::uint8_t> layer;  ///< [n_cells] 0 owned, else vertex-neighbour distance to an owned cell
+    std::vector<std::uint8_t> intact; ///< [n_cells] 0: a broken cell or fragment, with nodes of its own and no faces
 
     /// Undeformed box of the cell: its lower corner and its edge length (cells are square), cm.
     std::array<std::vector<double>, dim> lower;

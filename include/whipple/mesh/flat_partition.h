@@ -30,9 +30,10 @@ namespace whipple
   /// Collective; every rank learns the keys of all active cells (8 B each).
   /// @param leaves this rank's leaves; those of all ranks are 2:1 balanced over corners
   /// @param active nonzero for leaves to flatten
+  /// @param bonds  uniform, or one entry for each leaf
   /// @throws StateError if lengths differ.
   template <int dim>
   std::unique_ptr<FlatPartition<dim>>
   flatten_leaves(MPI_Comm communicator, const Lattice<dim> &lattice, std::span<const CellKey> leaves,
-                 std::span<const std::uint8_t> active, int halo_width, Cohesion cohesion);
+                 std::span<const std::uint8_t> active, int halo_width, const Bonds &bonds);
 } // namespace whipple

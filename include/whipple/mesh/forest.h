@@ -69,8 +69,9 @@ namespace whipple
 
     /// The active leaves as flat arrays (flatten_leaves).
     /// @param active one entry for each leaf of leaves()
+    /// @param bonds  uniform, or one entry for each leaf of leaves()
     std::unique_ptr<FlatPartition<dim>>
-    flatten(const std::vector<std::uint8_t> &active, int halo_width, Cohesion cohesion) const;
+    flatten(const std::vector<std::uint8_t> &active, int halo_width, const Bonds &bonds) const;
 
   private:
     class Implementation;

@@ -88,6 +88,7 @@ namespace whipple::summary
   {
     long retries  = 0;
     long releases = 0;
+    long breaks   = 0;
     long rezones  = 0;
     long floors   = 0;
     long warnings = 0;

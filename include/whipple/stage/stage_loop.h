@@ -40,6 +40,9 @@ namespace whipple
     regrid(Domain<dim> &domain, Ledger<dim> &ledger);
     void
     release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
+    bool
+    bonds_break(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
     bool
     regrid_is_due(const Domain<dim> &domain);
     bool
@@ -70,11 +73,11 @@ namespace whipple
     Snapshot                    snapshot_;
     AgreedTimeStep              limit_{};
     double                      wall_start_;
-    double                      end_time_           = 0; ///< us; of stages that end at a time
-    double                      last_dt_            = 0; ///< us; 0 before the first step
-    double                      caution_            = 1; ///< factor on the time step after a retry
-    long                        cells_              = 0; ///< active cells of all ranks
-    long                        since_regrid_       = 0;
+    double                      end_time_           = 0;  ///< us; of stages that end at a time
+    double                      last_dt_            = 0;  ///< us; 0 before the first step
+    double                      caution_            = 1;  ///< factor on the time step after a retry
+    long                        cells_              = 0;  ///< active cells of all ranks
+    long                        since_regrid_       = 0;  ///< steps since the mesh or its bonds were last looked at
     double                      spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
     int                         retries_            = 0;  ///< since the last snapshot
   };
