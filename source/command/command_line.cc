@@ -75,8 +75,11 @@ namespace whipple::command_line
             options.output_directory = value_of(arguments, i, "a directory");
           else if (argument == "--validate")
             options.validate_only = true;
+          else if (argument == "--effects-report")
+            options.effects_report = true;
           else
-            take_file(options.scene_file, argument, "run", "run takes -n, --set, --output and --validate");
+            take_file(options.scene_file, argument, "run",
+                      "run takes -n, --set, --output, --validate and --effects-report");
         }
       if (options.scene_file.empty())
         throw InputError("run needs a scene file: whipple run SCENE.prm");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/command/command_line.h>
+#include <whipple/command/model_reference.h>
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
 #include <whipple/material/material_library.h>
@@ -20,12 +21,14 @@ namespace whipple::command_line
       --set 'Section/Name = value'  override an entry of the scene; may be given many times
       --output DIR                  where results go; default output/<name of the scene>
       --validate                    check the scene and stop
+      --effects-report              say which effects matter in the scene, and stop
   whipple study STUDY.prm [options] run a scene many times: errors, orders, error bars, and what they cost
       -n, --set, --output, --validate as above
       --tolerance 'RESULT = 2 %'    find and run the cheapest setting that is so accurate
       --budget '20 min'             if it does not take longer than this
       --any-version                 also reuse points that another version of the program has computed
-  whipple help [TOPIC]              this, or: scene, study, effects, materials, exact solutions
+  whipple help [TOPIC]              this, or: scene, study, effects, models, materials,
+                                    exact solutions
   whipple --version
 
 The launcher ./whipple in the source tree installs what is missing and builds first, and also knows
@@ -69,14 +72,6 @@ says how wrong each result is and what a better one costs. Points that are there
   doc/studies.md                        the format, and how orders and error bars are found
 )";
 
-    constexpr std::string_view effects =
-        R"(Effects a scene can switch on; one that is off costs nothing.
-
-  strength    elastic-plastic flow: deviatoric stress with radial return to the yield surface
-  voids       pores inside the material: spall, distension and recompaction by a void law
-  body tags   which body each gram comes from, carried through all stages
-)";
-
     std::string
     materials()
     {
@@ -89,6 +84,11 @@ says how wrong each result is and what a better one costs. Points that are there
           if (!material.caution.empty())
             text << std::setw(46) << "" << material.caution << '\n';
         }
+      text << "\nMaterials that only some models have constants of (whipple help models):\n\n ";
+      for (const std::string &name : material_names())
+        if (!find_in_library(name))
+          text << "  " << name;
+      text << '\n';
       return text.str();
     }
 
@@ -122,12 +122,14 @@ says how wrong each result is and what a better one costs. Points that are there
     if (topic == "study")
       return std::string(study);
     if (topic == "effects")
-      return std::string(effects);
+      return model_reference::overview();
+    if (topic == "models")
+      return model_reference::markdown();
     if (topic == "materials")
       return materials();
     if (topic == "exact solutions")
       return exact_solutions();
     throw InputError("no help on '" + std::string(topic) +
-                     "': topics are scene, study, effects, materials, exact solutions");
+                     "': topics are scene, study, effects, models, materials, exact solutions");
   }
 } // namespace whipple::command_line

@@ -34,11 +34,12 @@ namespace whipple
 
   template <int dim>
   FieldOutput<dim>::FieldOutput(std::string directory, std::vector<std::string> material_names,
-                                FieldOutputOptions options, MPI_Comm communicator)
+                                FieldOutputOptions options, MPI_Comm communicator, DerivedFields<dim> derived)
     : directory_(std::move(directory))
     , material_names_(std::move(material_names))
     , options_(options)
     , communicator_(communicator)
+    , derived_(std::move(derived))
   {
     if (rank_in(communicator_) == 0)
       std::filesystem::create_directories(directory_ + "/fields");
@@ -49,9 +50,10 @@ namespace whipple
   void
   FieldOutput<dim>::write(const FlatMesh<dim> &mesh, const State<dim> &state, std::string_view stage)
   {
-    const int           rank     = rank_in(communicator_);
-    const Snapshot<dim> snapshot = take_snapshot(
-        mesh, state, material_names_, {.empty_cells = options_.empty_cells, .everything = false, .rank = rank});
+    const int           rank = rank_in(communicator_);
+    const Snapshot<dim> snapshot =
+        take_snapshot(mesh, state, material_names_, derived_,
+                      {.empty_cells = options_.empty_cells, .everything = false, .rank = rank});
     std::uint64_t n_cells = snapshot.n_cells();
     MPI_Allreduce(MPI_IN_PLACE, &n_cells, 1, MPI_UINT64_T, MPI_SUM, communicator_);
     if (n_cells == 0)
@@ -86,7 +88,7 @@ namespace whipple
              << " us, the last state known to be good, in double precision;\nopen rank-NNNNN.xdmf to look at it.\n";
       }
     const Snapshot<dim> snapshot =
-        take_snapshot(mesh, state, material_names, {.empty_cells = true, .everything = true, .rank = rank});
+        take_snapshot<dim>(mesh, state, material_names, {}, {.empty_cells = true, .everything = true, .rank = rank});
     const std::string name = numbered("rank-", rank);
     if (snapshot.n_cells() == 0)
       return;

@@ -131,7 +131,7 @@ namespace whipple
   template <int dim>
   Snapshot<dim>
   take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<std::string> &material_names,
-                const SnapshotOptions &options)
+                const DerivedFields<dim> &derived, const SnapshotOptions &options)
   {
     Snapshot<dim> snapshot;
     snapshot.time                  = state.time;
@@ -140,11 +140,15 @@ namespace whipple
     add_cell_fields(snapshot, mesh, state, cells, options.rank);
     for (std::size_t m = 0; m < state.material.size(); ++m)
       add_material_fields(snapshot, state, state.material[m], material_names[m], cells);
+    if (derived)
+      for (CellField &field : derived(state, cells))
+        snapshot.fields.push_back(std::move(field));
     if (options.everything)
       add_identity(snapshot, mesh, state, material_names, cells);
     return snapshot;
   }
 
   template Snapshot<2>
-  take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const std::vector<std::string> &, const SnapshotOptions &);
+  take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const std::vector<std::string> &, const DerivedFields<2> &,
+                   const SnapshotOptions &);
 } // namespace whipple

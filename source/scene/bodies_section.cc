@@ -65,14 +65,15 @@ namespace whipple::sections
       return reader(section);
     }
 
-    /// Specific energy of the pressure that the body asks for.
+    /// Specific energy of the pressure that the body asks for; density and pressure are those of the solid times its
+    /// share of the volume.
     double
-    energy_of_pressure(const SceneSection &section, const EquationOfState &eos, double density)
+    energy_of_pressure(const SceneSection &section, const EquationOfState &eos, double density, double solid_share)
     {
-      const double pressure = section.quantity("Pressure", units::pressure);
+      const double pressure = section.quantity("Pressure", units::pressure) / solid_share;
       try
         {
-          return eos.energy_of_pressure(density, pressure);
+          return eos.energy_of_pressure(density / solid_share, pressure);
         }
       catch (const StateError &error)
         {
@@ -80,20 +81,23 @@ namespace whipple::sections
         }
     }
 
-    /// Density and specific energy; what is left open is the material at rest: reference density, zero energy.
+    /// Density (pores included) and specific energy; what is left open is the material at rest: reference density of
+    /// the solid, the pores its void law starts with, zero energy.
     template <int dim>
     void
-    read_state(const SceneSection &section, const EquationOfState &eos, Body<dim> &body)
+    read_state(const SceneSection &section, const Material &material, Body<dim> &body)
     {
+      const EquationOfState &eos         = *material.eos;
+      const double           solid_share = material.void_law ? 1. - material.void_law->initial_void_fraction() : 1.;
       if (!section.given("Density"))
-        section.replace("Density", units::format(eos.reference_density(), units::density));
+        section.replace("Density", units::format(solid_share * eos.reference_density(), units::density));
       body.density = section.positive("Density", units::density);
 
       if (section.given("Pressure") && section.given("Specific energy"))
         section.reject("Pressure", "allowed is a pressure or a specific energy, not both");
       if (section.given("Pressure"))
         {
-          body.energy = energy_of_pressure(section, eos, body.density);
+          body.energy = energy_of_pressure(section, eos, body.density, solid_share);
           return;
         }
       if (!section.given("Specific energy"))
@@ -135,7 +139,7 @@ namespace whipple::sections
           body.density = scene.materials[body.material].model.eos->reference_density();
           return body;
         }
-      read_state(section, *scene.materials[body.material].model.eos, body);
+      read_state(section, scene.materials[body.material].model, body);
       if (section.given("Deposited energy"))
         body.deposit = EnergyDeposit<dim>{section.positive("Deposited energy", units::energy),
                                           section.vector<dim>("Deposit point", units::length)};

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/effect/effect.h>
+#include <whipple/error.h>
+#include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/material_effects.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
@@ -7,35 +11,91 @@ namespace whipple::sections
 {
   namespace
   {
-    const std::string path = "Effects";
-  }
+    const std::string path      = "Effects";
+    const std::string automatic = "auto";
 
-  std::vector<std::string>
-  effect_names()
-  {
-    return {"strength", "voids", "body tags"};
-  }
+    std::vector<std::string>
+    effect_names()
+    {
+      std::vector<std::string> names;
+      for (const EffectDescription &effect : effect_descriptions())
+        names.push_back(effect.name);
+      return names;
+    }
+
+    bool
+    contains(const std::vector<std::string> &names, const std::string &name)
+    {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+    /// Names in the list, checked; "auto" may be one of them.
+    std::vector<std::string>
+    read_list(const SceneSection &section)
+    {
+      std::vector<std::string> allowed = effect_names(), listed;
+      allowed.insert(allowed.begin(), automatic);
+      for (const std::string &name : section.list("List"))
+        {
+          section.name_index("List", name, allowed);
+          if (contains(listed, name))
+            section.reject("List", "'" + name + "' is listed twice; allowed is once");
+          listed.push_back(name);
+        }
+      return listed;
+    }
+
+    /// "strength, voids", or "" for none
+    std::string
+    joined(const std::vector<std::string> &names)
+    {
+      std::string text;
+      for (const std::string &name : names)
+        text += (text.empty() ? "" : ", ") + name;
+      return text;
+    }
+  } // namespace
 
   void
   declare_effects(SceneParameters &parameters)
   {
     SceneSection(parameters, path)
         .declare("List", "",
-                 "any of: strength, voids, body tags; an effect left out costs nothing and carries no field");
+                 "any of: " + joined(effect_names()) +
+                     "; an effect left out costs nothing and carries no field; auto: those that matter, and what is "
+                     "listed beside it");
   }
 
-  std::vector<std::string>
-  read_effects(SceneParameters &parameters)
+  template <int dim>
+  void
+  read_effects(SceneParameters &parameters, Scene<dim> &scene)
   {
-    const SceneSection       section(parameters, path);
-    std::vector<std::string> effects;
-    for (const std::string &name : section.list("List"))
+    const SceneSection             section(parameters, path);
+    const std::vector<std::string> listed = read_list(section);
+    scene.effect_verdicts                 = forecast_effects(scene);
+    for (EffectVerdict &verdict : scene.effect_verdicts)
       {
-        section.name_index("List", name, effect_names());
-        if (std::find(effects.begin(), effects.end(), name) != effects.end())
-          section.reject("List", "'" + name + "' is listed twice; allowed is once");
-        effects.push_back(name);
+        if (contains(listed, verdict.name))
+          verdict = {verdict.name, true, verdict.number, "listed by the scene"};
+        else if (!contains(listed, automatic))
+          verdict = {verdict.name, false, verdict.number, "not listed by the scene"};
+        if (verdict.on)
+          scene.effects.push_back(verdict.name);
       }
-    return effects;
+    try
+      {
+        check_effects(scene.materials, scene.effects);
+        for (SceneMaterial &material : scene.materials)
+          material.model = with_effects(material.complete, scene.effects);
+      }
+    catch (const InputError &error)
+      {
+        section.reject("List", error.what());
+      }
+    if (contains(listed, automatic))
+      section.replace("List", joined(scene.effects));
   }
+
+  template void
+  read_effects<2>(SceneParameters &, Scene<2> &);
 } // namespace whipple::sections

@@ -4,8 +4,8 @@
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <stdexcept>
 
 namespace whipple::sections
 {
@@ -13,114 +13,46 @@ namespace whipple::sections
   {
     const std::string path = "Materials";
 
-    enum class Sign
+    const units::Quantity &
+    quantity_of(const ModelConstant &constant)
     {
-      any,
-      not_negative,
-      positive
-    };
+      if (const units::Quantity *quantity = units::find_quantity(constant.quantity))
+        return *quantity;
+      throw std::logic_error("model constant '" + constant.key + "' is a '" + constant.quantity +
+                             "', which scenes do not know");
+    }
 
-    /// A constant that a scene may give in place of the library's.
-    struct Constant
-    {
-      const char           *key;
-      units::Quantity       quantity;
-      Sign                  sign;
-      std::optional<double> MaterialRequest::*request;
-      const char                             *documentation;
-    };
-
-    const std::array constants{
-        Constant{"Density", units::density, Sign::positive, &MaterialRequest::density,
-                 "gamma0, at zero pressure and energy"},
-        Constant{"Sound speed", units::velocity, Sign::positive, &MaterialRequest::sound_speed, "c0 of Us = c0 + s up"},
-        Constant{"Hugoniot slope", units::number, Sign::not_negative, &MaterialRequest::hugoniot_slope,
-                 "s of Us = c0 + s up"},
-        Constant{"Grueneisen coefficient", units::number, Sign::not_negative, &MaterialRequest::grueneisen, "Gamma0"},
-        Constant{"Adiabatic exponent", units::number, Sign::positive, &MaterialRequest::adiabatic_exponent,
-                 "gamma of a gas"},
-        Constant{"C1", units::pressure, Sign::any, &MaterialRequest::c1, "linear polynomial"},
-        Constant{"C2", units::pressure, Sign::any, &MaterialRequest::c2, "linear polynomial"},
-        Constant{"C3", units::pressure, Sign::any, &MaterialRequest::c3, "linear polynomial"},
-        Constant{"C4", units::number, Sign::any, &MaterialRequest::c4, "linear polynomial"},
-        Constant{"C5", units::number, Sign::any, &MaterialRequest::c5, "linear polynomial"},
-        Constant{"C6", units::number, Sign::any, &MaterialRequest::c6, "linear polynomial"},
-        Constant{"Shear modulus", units::pressure, Sign::positive, &MaterialRequest::shear_modulus, "G of the solid"},
-        Constant{"Yield stress", units::pressure, Sign::not_negative, &MaterialRequest::yield_stress,
-                 "Y in simple tension"},
-        Constant{"Hardening modulus", units::pressure, Sign::not_negative, &MaterialRequest::hardening_modulus,
-                 "dY / d(plastic strain)"},
-    };
-
+    /// "none | perfectly plastic | linear hardening"
     std::vector<std::string>
-    names_of(const std::vector<ModelKind> &kinds)
+    choices(const ModelFamily &family)
     {
       std::vector<std::string> names;
-      for (const ModelKind &kind : kinds)
-        names.push_back(kind.name);
+      if (!family.absence.empty())
+        names.push_back("none");
+      for (const ModelDescription &model : family.models)
+        names.push_back(model.name);
       return names;
     }
 
-    /// "a | b | c"
     std::string
-    alternatives(const std::vector<ModelKind> &kinds)
+    alternatives(const ModelFamily &family)
     {
       std::string text;
-      for (const ModelKind &kind : kinds)
-        text += (text.empty() ? "" : " | ") + kind.name;
+      for (const std::string &name : choices(family))
+        text += (text.empty() ? "" : " | ") + name;
       return text;
     }
 
-    std::string
-    read_kind(const SceneSection &section, const std::string &key, const std::vector<ModelKind> &kinds)
-    {
-      const std::vector<std::string> names = names_of(kinds);
-      return names[section.name_index(key, section.text(key), names)];
-    }
-
+    /// Value of a constant that the scene gives.
     double
-    read_constant(const SceneSection &section, const Constant &constant)
+    read_constant(const SceneSection &section, const ModelConstant &constant)
     {
-      if (constant.sign == Sign::positive)
-        return section.positive(constant.key, constant.quantity);
-      if (constant.sign == Sign::not_negative)
-        return section.non_negative(constant.key, constant.quantity);
-      return section.quantity(constant.key, constant.quantity);
-    }
-
-    double
-    non_negative_or_infinite(const SceneSection &section, const std::string &key, const units::Quantity &quantity)
-    {
-      if (section.text(key) == "infinite")
+      if (constant.range.infinite && section.text(constant.key) == "infinite")
         return std::numeric_limits<double>::infinity();
-      return section.non_negative(key, quantity);
-    }
-
-    /// Constants that library material and chosen models determine, made explicit in request and parameters.
-    void
-    fill_from_library(const SceneSection &section, MaterialRequest &request)
-    {
-      const MaterialConstants &library = find_material(request.library);
-      const auto               fill    = [&](std::optional<double> MaterialRequest::*constant, double value) {
-        if (request.*constant)
-          return;
-        request.*constant = value;
-        const auto entry =
-            std::find_if(constants.begin(), constants.end(), [&](const Constant &c) { return c.request == constant; });
-        section.replace(entry->key, units::format(value, entry->quantity));
-      };
-      if (request.equation_of_state == "mie-grueneisen")
-        {
-          fill(&MaterialRequest::density, library.density);
-          fill(&MaterialRequest::sound_speed, library.sound_speed);
-          fill(&MaterialRequest::hugoniot_slope, library.hugoniot_slope);
-          fill(&MaterialRequest::grueneisen, library.grueneisen);
-        }
-      if (request.strength != "none")
-        {
-          fill(&MaterialRequest::shear_modulus, library.shear_modulus);
-          fill(&MaterialRequest::yield_stress, library.yield_stress);
-        }
+      const double value = section.quantity(constant.key, quantity_of(constant));
+      if (!constant.range.contains(value))
+        section.reject(constant.key, "must be " + constant.range.text());
+      return value;
     }
 
     MaterialRequest
@@ -132,16 +64,41 @@ namespace whipple::sections
         request.name = name;
       else
         section.name_index("Library", request.library, material_names());
-      request.equation_of_state = read_kind(section, "Equation of state", equation_of_state_kinds());
-      request.strength          = read_kind(section, "Strength", strength_kinds());
-      request.void_law          = read_kind(section, "Void law", void_law_kinds());
-      for (const Constant &constant : constants)
+      for (const ModelFamily &family : model_families())
+        {
+          const std::vector<std::string> names = choices(family);
+          request.*family.choice               = names[section.name_index(family.key, section.text(family.key), names)];
+        }
+      for (const ModelConstant &constant : all_model_constants())
         if (section.given(constant.key))
-          request.*constant.request = read_constant(section, constant);
-      request.alpha          = non_negative_or_infinite(section, "Alpha", units::void_rate);
-      request.spall_strength = non_negative_or_infinite(section, "Spall strength", units::pressure);
-      request.isothermal     = section.choice<bool>("Isothermal", {{"false", false}, {"true", true}});
+          {
+            if (constant.quantity == "text")
+              request.texts[constant.key] = section.text(constant.key);
+            else
+              request.constants[constant.key] = read_constant(section, constant);
+          }
+      request.isothermal = section.choice<bool>("Isothermal", {{"false", false}, {"true", true}});
       return request;
+    }
+
+    /// Constants that library material and chosen models determine, made explicit in request and parameters.
+    void
+    fill_constants(const SceneSection &section, MaterialRequest &request)
+    {
+      for (const ModelFamily &family : model_families())
+        if (const ModelDescription *model = chosen_model(family, request))
+          for (const ModelConstant &constant : model->constants)
+            {
+              if (request.constants.count(constant.key) || constant.optional || constant.quantity == "text")
+                continue;
+              const auto published = published_constant(*model, request.library, constant.key);
+              const auto value     = published ? published : constant.default_value;
+              if (!value)
+                continue;
+              request.constants[constant.key] = *value;
+              section.replace(constant.key, std::isinf(*value) ? std::string("infinite")
+                                                               : units::format(*value, quantity_of(constant)));
+            }
     }
   } // namespace
 
@@ -153,54 +110,34 @@ namespace whipple::sections
       {
         SceneSection section(parameters, path + "/" + name);
         section.declare("Library", "", "material whose published constants fill what is not given here");
-        section.declare("Equation of state", "mie-grueneisen", alternatives(equation_of_state_kinds()));
-        section.declare("Strength", "none", alternatives(strength_kinds()));
-        section.declare("Void law", "none", alternatives(void_law_kinds()));
-        for (const Constant &constant : constants)
+        for (const ModelFamily &family : model_families())
+          section.declare(family.key, family.absence.empty() ? "mie-grueneisen" : "none", alternatives(family));
+        for (const ModelConstant &constant : all_model_constants())
           section.declare(constant.key, "", constant.documentation);
-        section.declare("Alpha", "1000 us/cm^2", "rate of the void law; or 'infinite'");
-        section.declare("Spall strength", "0 GPa", "tension below which no void opens; or 'infinite'");
         section.declare("Isothermal", "false", "true: the pressure does not feel the energy (1993)");
       }
   }
 
   std::vector<SceneMaterial>
-  read_materials(SceneParameters &parameters, const std::vector<std::string> &effects)
+  read_materials(SceneParameters &parameters)
   {
-    const auto wanted = [&](const char *effect) {
-      return std::find(effects.begin(), effects.end(), effect) != effects.end();
-    };
     std::vector<SceneMaterial> materials;
     for (const std::string &name : SceneSection(parameters, path).list("List"))
       {
         const SceneSection section(parameters, path + "/" + name);
-        SceneMaterial      material{name, read_request(section, name), {}};
+        SceneMaterial      material{name, read_request(section, name), {}, {}};
         try
           {
-            material.model = make_material(material.request);
+            material.complete = make_material(material.request);
           }
         catch (const InputError &error)
           {
             section.reject("Equation of state", error.what());
           }
-        if (!material.request.library.empty())
-          fill_from_library(section, material.request);
-        if (!wanted("strength"))
-          material.model.strength = nullptr;
-        if (!wanted("voids"))
-          material.model.void_law = nullptr;
+        fill_constants(section, material.request);
+        material.model = material.complete;
         materials.push_back(material);
       }
-
-    const SceneSection list(parameters, "Effects");
-    const auto         none_has = [&](const auto &model) {
-      return std::none_of(materials.begin(), materials.end(),
-                                  [&](const SceneMaterial &m) { return model(m) != nullptr; });
-    };
-    if (wanted("strength") && none_has([](const SceneMaterial &m) { return m.model.strength.get(); }))
-      list.reject("List", "'strength' needs a material with a strength model; set Materials/NAME/Strength");
-    if (wanted("voids") && none_has([](const SceneMaterial &m) { return m.model.void_law.get(); }))
-      list.reject("List", "'voids' needs a material with a void law; set Materials/NAME/Void law");
     return materials;
   }
 } // namespace whipple::sections

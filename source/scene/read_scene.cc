@@ -102,11 +102,11 @@ namespace whipple
     scene.title             = parameters.get("", "Title");
     const Vector<dim> upper = sections::read_geometry<dim>(parameters, scene);
     sections::read_mesh<dim>(parameters, upper, scene);
-    scene.effects   = sections::read_effects(parameters);
-    scene.materials = sections::read_materials(parameters, scene.effects);
+    scene.materials = sections::read_materials(parameters);
     scene.bodies    = sections::read_bodies<dim>(parameters, scene);
     sections::check_bodies<dim>(parameters, scene);
-    scene.stages   = sections::read_stages<dim>(parameters, scene);
+    scene.stages = sections::read_stages<dim>(parameters, scene);
+    sections::read_effects<dim>(parameters, scene);
     scene.numerics = sections::read_numerics(parameters);
     scene.output   = sections::read_output(parameters);
     sections::check_mesh_map<dim>(parameters, scene);

@@ -51,6 +51,7 @@ namespace whipple::units
         Unit{"kJ", 1, -2, energy.dimension},
         Unit{"MJ", 1, 1, energy.dimension},
         Unit{"erg", 1, -12, energy.dimension},
+        Unit{"W", 1, -11, {2, 1, -3, 0}},
         Unit{"%", 1, -2, number.dimension},
     };
 
@@ -248,9 +249,10 @@ namespace whipple::units
   const Quantity *
   find_quantity(std::string_view name)
   {
-    static constexpr const Quantity *all[] = {&number,       &length,          &time,   &velocity,  &density,
-                                              &pressure,     &specific_energy, &energy, &void_rate, &temperature,
-                                              &specific_heat};
+    static constexpr const Quantity *all[] = {
+        &number, &length,        &time,        &velocity,      &density,      &pressure,         &specific_energy,
+        &energy, &void_rate,     &temperature, &specific_heat, &conductivity, &inverse_pressure, &inverse_temperature,
+        &rate,   &surface_energy};
     for (const Quantity *quantity : all)
       if (name == quantity->name)
         return quantity;

@@ -29,6 +29,7 @@ namespace whipple
     , lost_kinetic_energy_(stage.lost_kinetic_energy)
     , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
   {
+    passes_ = make_passes<dim>(scene.effects, {mesh, layout.materials, layout.fields});
     if (stage.mode == StageMode::eulerian)
       remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage));
   }
@@ -49,6 +50,9 @@ namespace whipple
     if (remap_)
       if (const double dt = remap_->time_step(state); dt < limit.dt)
         limit = {dt, "advection", none};
+    for (const auto &pass : passes_)
+      if (const TimeStepLimit own = pass->time_step(state); own.dt < limit.dt)
+        limit = own;
 
     const MPI_Comm communicator = halo_.communicator();
     struct
@@ -97,6 +101,12 @@ namespace whipple
     const MPI_Comm      communicator = halo_.communicator();
     LagrangeReport<dim> motion;
     agree(communicator, [&] { motion = lagrange_.advance(state, dt); });
+    for (const auto &pass : passes_)
+      {
+        pass->advance(state, lagrange_.before(), dt);
+        if (pass->changes_energy())
+          lagrange_.update_pressure(state);
+      }
     exchange(state);
     RemapReport<dim> remap;
     if (remap_)

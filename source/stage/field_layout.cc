@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/effect/effect.h>
 #include <whipple/stage/field_layout.h>
 
 namespace whipple
@@ -11,17 +12,20 @@ namespace whipple
         materials.push_back(material.model);
         material_names.push_back(material.name);
       }
-    const auto add = [this](const std::string &name, const std::string &unit, Carrier carrier) {
-      fields.push_back({name, unit, carrier});
-      return static_cast<int>(fields.size()) - 1;
+    for (const EffectDescription &effect : effect_descriptions())
+      if (scene.has_effect(effect.name))
+        fields.insert(fields.end(), effect.fields.begin(), effect.fields.end());
+    const auto position = [this](const std::string &name) {
+      for (std::size_t f = 0; f < fields.size(); ++f)
+        if (fields[f].name == name)
+          return static_cast<int>(f);
+      return -1;
     };
-    if (scene.has_effect("strength"))
-      {
-        index.stress_00      = add("deviatoric stress 00", "Mbar", Carrier::volume);
-        index.stress_11      = add("deviatoric stress 11", "Mbar", Carrier::volume);
-        index.stress_01      = add("deviatoric stress 01", "Mbar", Carrier::volume);
-        index.plastic_strain = add("plastic strain", "1", Carrier::mass);
-      }
+    index.stress_00      = position("deviatoric stress 00");
+    index.stress_11      = position("deviatoric stress 11");
+    index.stress_01      = position("deviatoric stress 01");
+    index.plastic_strain = position("plastic strain");
+    index.damage         = position("damage");
 
     std::vector<int> bodies_of_material(materials.size(), 0);
     for (const Body<dim> &body : scene.bodies)
@@ -35,7 +39,10 @@ namespace whipple
       if (--bodies_of_material[scene.bodies[b].material] > 0)
         {
           if (scene.has_effect("body tags"))
-            body_tag[b] = add("body " + scene.bodies[b].name, "1", Carrier::mass);
+            {
+              body_tag[b] = static_cast<int>(fields.size());
+              fields.push_back({"body " + scene.bodies[b].name, "1", Carrier::mass});
+            }
           else
             bodies_separable = false;
         }

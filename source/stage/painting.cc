@@ -46,7 +46,7 @@ namespace whipple
     /// Add one body to one cell; returns the mass added.
     template <int dim>
     double
-    paint_cell(const CellFilling<dim> &filling, int tag, double volume, Index c, MaterialState &m)
+    paint_cell(const CellFilling<dim> &filling, double void_fraction, int tag, double volume, Index c, MaterialState &m)
     {
       const double mass = filling.density * volume, total = m.mass[c] + mass;
       m.energy[c] += (filling.energy - m.energy[c]) * mass / total;
@@ -58,6 +58,8 @@ namespace whipple
           }
       m.volume[c] += volume;
       m.mass[c] = total;
+      if (m.has_voids())
+        m.void_fraction[c] += (void_fraction - m.void_fraction[c]) * (volume / m.volume[c]);
       // a single body keeps its density to the last bit
       m.density[c] = m.density[c] == 0. || m.density[c] == filling.density ? filling.density : total / m.volume[c];
       return mass;
@@ -215,8 +217,10 @@ namespace whipple
             const bool             is_exact = enters_exact(body);
             const CellFilling<dim> filling  = is_exact ? exact->fill(body, state, c) : uniform_filling(body);
             const double           before   = cell_mass(state, c);
+            const auto            &void_law = scene.materials[body.material].model.void_law;
+            const double           pores    = void_law ? void_law->initial_void_fraction() : 0.;
             const double           added =
-                paint_cell(filling, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
+                paint_cell(filling, pores, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
             blend_velocity<dim>(filling, added / (before + added), c, velocities);
             exact_only[c] = is_exact && before == 0.;
           }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/scene/effect_forecast.h>
+#include <whipple/stage/phase_measure.h>
 #include <whipple/stage/reporter.h>
 
 #include <algorithm>
@@ -56,11 +58,16 @@ namespace whipple
     , log_(directory, communicator, live)
     , statistics_(directory, communicator)
     , fields_(directory, layout.material_names, FieldOutputOptions{.hdf5 = scene.output.hdf5, .vtu = scene.output.vtu},
-              communicator)
+              communicator, [&layout](const State<dim> &state, const std::vector<Index> &cells) {
+                return phase_fields(layout, state, cells);
+              })
   {
     log_.banner();
     if (!scene.title.empty())
       log_.info(scene.title);
+    log_.info("effects (what, whether, number, why):");
+    for (const EffectVerdict &verdict : scene.effect_verdicts)
+      log_.info(effect_line(verdict));
   }
 
   template <int dim>

@@ -38,6 +38,21 @@ namespace whipple
   }
 
   ResultTable
+  phase_results(const PhaseMeasure &measure)
+  {
+    return {{"melt_share", measure.melt_share},
+            {"vapour_share", measure.vapour_share},
+            {"mean_temperature_K", measure.mean_temperature},
+            {"temperature_99_K", measure.temperature_99}};
+  }
+
+  ResultTable
+  fragment_results(std::optional<double> mean_size)
+  {
+    return {{"mean_fragment_size_cm", mean_size ? summary::Result(*mean_size) : summary::Result()}};
+  }
+
+  ResultTable
   shock_results(const ShockMeasure &measure)
   {
     ResultTable results{{"shock_position_exact_cm", measure.exact}, {"shock_position_cm", {}}, {"shock_spread_cm", {}}};
@@ -71,6 +86,10 @@ namespace whipple
       {
         for (const std::size_t plate : measured_plates(scene, s))
           tables[scene.bodies[plate].name].merge(plate_results({}, 0.));
+        if (scene.has_effect("melting"))
+          tables[scene.stages[s].name].merge(phase_results({}));
+        if (scene.has_effect("fragment size"))
+          tables[scene.stages[s].name].merge(fragment_results(0.));
         if (scene.stages[s].mode == StageMode::lagrangian)
           for (const char *prefix : {handover_prefix, ""})
             tables[scene.stages[s].name].merge(debris_results({}, inline_velocity, 0., prefix));

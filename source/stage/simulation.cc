@@ -78,9 +78,8 @@ namespace whipple
     , cpu_start_(process_use(communicator).cpu_s)
   {
     summary_.scene = std::filesystem::path(scene_.file).filename().string();
-    for (const char *name : {"strength", "voids", "body tags"})
-      summary_.effects[name] = {
-          scene_.has_effect(name), {}, scene_.has_effect(name) ? "listed by the scene" : "not listed by the scene"};
+    for (const EffectVerdict &verdict : scene_.effect_verdicts)
+      summary_.effects[verdict.name] = {verdict.on, verdict.number, verdict.reason};
   }
 
   template <int dim>
@@ -126,6 +125,18 @@ namespace whipple
 
   template <int dim>
   void
+  Simulation<dim>::measure_material(const Stage &stage)
+  {
+    const FlatMesh<dim> &mesh  = domain_.view->mesh;
+    auto                &place = summary_.results[stage.name];
+    if (scene_.has_effect("melting"))
+      place.merge(phase_results(measure_phases(layout_, mesh, domain_.state, domain_.communicator())));
+    if (scene_.has_effect("fragment size"))
+      place.merge(fragment_results(mean_fragment_size(layout_, mesh, domain_.state, domain_.communicator())));
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::run_stage(std::size_t number)
   {
     const Stage &stage = scene_.stages[number];
@@ -139,6 +150,8 @@ namespace whipple
     loop.run(domain_, ledger_, summary_.counts);
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, "");
+    if (scene_.has_effect("melting") || scene_.has_effect("fragment size"))
+      measure_material(stage);
     measure_plates(number);
   }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/output/output_directory.h>
+#include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/units.h>
 #include <whipple/stage/simulation.h>
 #include <whipple/study/error_estimate.h>
 #include <whipple/study/run.h>
 
+#include <iomanip>
 #include <iostream>
 
 namespace whipple
@@ -51,6 +53,31 @@ namespace whipple
         }
       return levels;
     }
+    /// What the scene has, and what `auto` would choose for it.
+    void
+    print_effects(const Scene<2> &scene, MPI_Comm communicator)
+    {
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      if (rank != 0)
+        return;
+      const std::vector<Encounter> all = encounters(scene);
+      for (const Encounter &e : all)
+        {
+          std::cout << e.description;
+          if (e.is_known)
+            std::cout << std::setprecision(3) << ": " << 100. * e.pressure << " GPa for " << e.duration << " us\n";
+          else
+            std::cout << ": no one-dimensional shock solution\n";
+        }
+      std::cout << "the scene has (effect, whether, number, reason):\n";
+      for (const EffectVerdict &verdict : scene.effect_verdicts)
+        std::cout << effect_line(verdict) << '\n';
+      std::cout << "auto would choose:\n";
+      for (const EffectVerdict &verdict : forecast_effects(scene))
+        std::cout << effect_line(verdict) << '\n';
+      std::cout << std::flush;
+    }
   } // namespace
 
   void
@@ -58,7 +85,9 @@ namespace whipple
   {
     const Scene<2>              scene   = read_scene<2>(options.scene_file, options.overrides);
     const std::vector<Scene<2>> coarser = coarser_scenes(scene, options.overrides);
-    if (options.validate_only)
+    if (options.effects_report)
+      print_effects(scene, communicator);
+    if (options.validate_only || options.effects_report)
       return;
     prepare(scene, options.output_directory, communicator);
     std::vector<LevelResults> levels = run_coarser(coarser, options, communicator);

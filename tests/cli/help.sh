@@ -19,3 +19,6 @@ answers 'body tags' help effects
 answers 'aluminium' help materials
 answers '^  noh: ' help 'exact solutions'
 answers '^Whipple [0-9]' --version
+answers '^  johnson-cook ' help effects
+"$program" help models >models.md
+diff -u "$2/doc/models.md" models.md || { echo "doc/models.md is stale: whipple help models > doc/models.md"; exit 1; }

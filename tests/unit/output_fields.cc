@@ -120,7 +120,7 @@ namespace
   {
     const FlatMesh<2> mesh     = small_mesh();
     const State<2>    state    = small_state(mesh);
-    const Snapshot<2> snapshot = take_snapshot(mesh, state, names, {});
+    const Snapshot<2> snapshot = take_snapshot<2>(mesh, state, names, {}, {});
     EXPECT_EQ(snapshot.n_cells(), 4u);
     // nine nodes carry the corners of the five cells in the mesh; all but one of cell 2's corners are shared
     EXPECT_EQ(snapshot.n_nodes(), static_cast<std::size_t>(mesh.n_nodes) - 1);
@@ -135,7 +135,7 @@ namespace
     EXPECT_EQ(field(snapshot, "level").value, (std::vector<double>{0, 1, 1, 1}));
     for (const CellField &f : snapshot.fields)
       EXPECT_EQ(f.value.size(), 4u) << f.name;
-    EXPECT_EQ(take_snapshot(mesh, state, names, {.empty_cells = true}).n_cells(), 5u);
+    EXPECT_EQ(take_snapshot<2>(mesh, state, names, {}, {.empty_cells = true}).n_cells(), 5u);
   }
 
   TEST(FieldOutput, SeriesMatchesItsFiles)

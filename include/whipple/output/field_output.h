@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/output/snapshot.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -33,8 +34,9 @@ namespace whipple
   {
   public:
     /// @param material_names one a material of the states to come, as they shall appear in field names.
+    /// @param derived        what else to show; may be empty
     FieldOutput(std::string directory, std::vector<std::string> material_names, FieldOutputOptions options,
-                MPI_Comm communicator);
+                MPI_Comm communicator, DerivedFields<dim> derived = {});
 
     /// Write owned cells of the state at state.time under the name of its stage, and the series. Collective.
     /// Nothing is written where no rank has a cell to show.
@@ -53,6 +55,7 @@ namespace whipple
     std::vector<std::string> material_names_;
     FieldOutputOptions       options_;
     MPI_Comm                 communicator_;
+    DerivedFields<dim>       derived_;
     std::vector<std::string> series_;    ///< XDMF grid of each time
     int                      count_ = 0; ///< number of the next files
   };

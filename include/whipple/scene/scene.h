@@ -7,6 +7,7 @@
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/mesh/mesh_map.h>
+#include <whipple/projection/intact_cells.h>
 #include <whipple/projection/to_eulerian.h>
 #include <whipple/scene/prm_statements.h>
 #include <whipple/scene/shape.h>
@@ -27,9 +28,10 @@ namespace whipple
   /// without the effect "strength" model.strength, without "voids" model.void_law.
   struct SceneMaterial
   {
-    std::string     name;    ///< the scene's name; model.name is the library's
-    MaterialRequest request; ///< kinds and constants, those of the library filled in (for exact solutions)
-    Material        model;
+    std::string     name;     ///< the scene's name; model.name is the library's
+    MaterialRequest request;  ///< models and constants, those of the library filled in (for exact solutions)
+    Material        complete; ///< all models the scene names, whatever its effects
+    Material        model;    ///< those that the effects leave on: what runs
   };
 
   /// Energy put into one cell of a body before the run starts (point explosions).
@@ -100,8 +102,9 @@ namespace whipple
     double                   max_time_step       = std::numeric_limits<double>::infinity(); ///< us
     KineticLoss              lost_kinetic_energy = KineticLoss::heat;                       ///< by remap and projection
 
-    Cohesion    cohesion = Cohesion::bonded; ///< Lagrangian stages
-    DebrisEntry debris;                      ///< Lagrangian stages that follow an Eulerian one
+    Cohesion      cohesion = Cohesion::bonded; ///< Lagrangian stages
+    BreakCriteria breaking;                    ///< graded cohesion
+    DebrisEntry   debris;                      ///< Lagrangian stages that follow an Eulerian one
 
     Representation representation = Representation::distended; ///< Eulerian stages that follow a Lagrangian one
   };
@@ -151,6 +154,15 @@ namespace whipple
     int error_estimate_levels = 0; ///< cell sizes, the scene's own included, that error bars are taken from; 0: none
   };
 
+  /// Whether an effect is on, and why.
+  struct EffectVerdict
+  {
+    std::string           name;
+    bool                  on = false;
+    std::optional<double> number; ///< dimensionless, that decides; none: listed, or nothing to measure
+    std::string           reason; ///< one line
+  };
+
   template <int dim>
   struct Scene
   {
@@ -163,7 +175,8 @@ namespace whipple
     MeshControl     mesh;
 
     std::vector<SceneMaterial> materials;
-    std::vector<std::string>   effects; ///< "strength", "voids", "body tags"
+    std::vector<std::string>   effects;         ///< names of those that are on
+    std::vector<EffectVerdict> effect_verdicts; ///< for every effect there is
     std::vector<Body<dim>>     bodies;
     std::vector<Stage>         stages; ///< at least one
     Numerics                   numerics;

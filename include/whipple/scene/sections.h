@@ -36,17 +36,17 @@ namespace whipple::sections
 
   void
   declare_effects(SceneParameters &parameters);
-  /// Names of the effects that the scene wants.
-  std::vector<std::string>
-  read_effects(SceneParameters &parameters);
-  /// Effects that a scene may list.
-  std::vector<std::string>
-  effect_names();
+  /// Effects, verdicts and the models they leave on, from the list or, if that says auto, from the scene; needs
+  /// materials, bodies, stages and lattice.
+  template <int dim>
+  void
+  read_effects(SceneParameters &parameters, Scene<dim> &scene);
 
   void
   declare_materials(SceneParameters &parameters, const std::vector<std::string> &names);
+  /// Materials with all models that the scene names; effects come later.
   std::vector<SceneMaterial>
-  read_materials(SceneParameters &parameters, const std::vector<std::string> &effects);
+  read_materials(SceneParameters &parameters);
 
   void
   declare_bodies(SceneParameters &parameters, const std::vector<std::string> &names);

@@ -43,6 +43,12 @@ namespace whipple::units
   inline constexpr Quantity temperature{"temperature", {0, 0, 0, 1}, "K", "933 K"};
   inline constexpr Quantity specific_heat{"specific heat", {2, 0, -2, -1}, "Mbar cm^3/g/K", "863 J/kg/K"};
 
+  inline constexpr Quantity conductivity{"heat conductivity", {1, 1, -3, -1}, "Mbar cm^2/us/K", "237 W/m/K"};
+  inline constexpr Quantity inverse_pressure{"inverse pressure", {1, -1, 2, 0}, "Mbar^-1", "6.52 Mbar^-1"};
+  inline constexpr Quantity inverse_temperature{"inverse temperature", {0, 0, 0, -1}, "K^-1", "6.16e-4 K^-1"};
+  inline constexpr Quantity rate{"rate", {0, 0, -1, 0}, "us^-1", "1 s^-1"};
+  inline constexpr Quantity surface_energy{"energy per area", {0, 1, -2, 0}, "Mbar cm", "20 kJ/m^2"};
+
   /// The quantity of that name ("velocity"), null if there is none.
   const Quantity *
   find_quantity(std::string_view name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/effect/effect.h>
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/mesh/halo.h>
 #include <whipple/remap/directional_remap.h>
@@ -8,7 +9,9 @@
 #include <whipple/stage/field_layout.h>
 #include <whipple/stage/ledger.h>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace whipple
 {
@@ -48,11 +51,12 @@ namespace whipple
     void
     book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const;
 
-    const FieldLayout                   &layout_;
-    const FlatMesh<dim>                 &mesh_;
-    const Halo<dim>                     &halo_;
-    KineticLoss                          lost_kinetic_energy_;
-    LagrangeStep<dim>                    lagrange_;
-    std::optional<DirectionalRemap<dim>> remap_;
+    const FieldLayout                            &layout_;
+    const FlatMesh<dim>                          &mesh_;
+    const Halo<dim>                              &halo_;
+    KineticLoss                                   lost_kinetic_energy_;
+    LagrangeStep<dim>                             lagrange_;
+    std::vector<std::unique_ptr<EffectPass<dim>>> passes_; ///< of the effects that are on and have one
+    std::optional<DirectionalRemap<dim>>          remap_;
   };
 } // namespace whipple

@@ -20,9 +20,8 @@ namespace whipple
     std::vector<Index>            body_material; ///< material slot of each body of the scene
     std::vector<int>              body_tag;      ///< field of each body's mass fraction, -1: what the other tags leave
 
-    /// From the scene: effect "strength" registers stress and plastic strain, "voids" the void fraction (a
-    /// member of MaterialState, not in the list), "body tags" one mass fraction for every body but the last
-    /// of each material.
+    /// From the scene: what its effects register (effect/effect.h); the void fraction is a member of MaterialState, not
+    /// in the list; "body tags" adds one mass fraction for every body but the last of each material.
     template <int dim>
     explicit FieldLayout(const Scene<dim> &scene);
 

@@ -4,6 +4,7 @@
 #include <whipple/output/summary.h>
 #include <whipple/scene/scene.h>
 #include <whipple/stage/debris_measure.h>
+#include <whipple/stage/phase_measure.h>
 #include <whipple/stage/plate_measure.h>
 #include <whipple/stage/shock_measure.h>
 
@@ -30,6 +31,15 @@ namespace whipple
                  const std::string &prefix);
   /// Prefix of what is measured when a Lagrangian stage begins.
   inline constexpr const char *handover_prefix = "handover_";
+
+  /// What is reported of temperature and phase at the end of every stage of a scene with the effect "melting".
+  ResultTable
+  phase_results(const PhaseMeasure &measure);
+
+  /// What is reported of fragments at the end of every stage of a scene with the effect "fragment size"; null where
+  /// nothing has broken.
+  ResultTable
+  fragment_results(std::optional<double> mean_size);
 
   /// What is reported of the shock of the scene's exact solution.
   ResultTable

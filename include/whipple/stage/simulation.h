@@ -56,6 +56,9 @@ namespace whipple
     projectile_velocity() const;
     void
     measure_cloud(const Stage &stage, const std::string &prefix);
+    /// Temperature, phases and fragments at the end of a stage, of scenes with those effects.
+    void
+    measure_material(const Stage &stage);
     void
     measure_errors();
     void

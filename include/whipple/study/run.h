@@ -11,11 +11,12 @@ namespace whipple
   /// What the command line asks of a run.
   struct RunOptions
   {
-    std::string              scene_file;            ///< the .prm
-    std::vector<std::string> overrides;             ///< "Section/Sub/Name = value", later ones win
-    std::string              output_directory;      ///< never empty: `output/<scene stem>` unless given
-    bool                     validate_only = false; ///< read and check the scene, compute and write nothing
-    bool                     live          = false; ///< standard output is a terminal (RunLog refreshes in place)
+    std::string              scene_file;             ///< the .prm
+    std::vector<std::string> overrides;              ///< "Section/Sub/Name = value", later ones win
+    std::string              output_directory;       ///< never empty: `output/<scene stem>` unless given
+    bool                     validate_only  = false; ///< read and check the scene, compute and write nothing
+    bool                     effects_report = false; ///< print which effects matter, compute and write nothing
+    bool                     live           = false; ///< standard output is a terminal (RunLog refreshes in place)
   };
 
   /// Run a scene from its first stage to its last; if it asks for an error estimate, on coarser cells first

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/exact/isentrope.h>
+#include <whipple/exact/riemann.h>
+#include <whipple/scene/effect_forecast.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace whipple
+{
+  namespace
+  {
+    std::string
+    rounded(double value)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << value;
+      return text.str();
+    }
+
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /// Speed at which two bodies close in along axis 1, the line of flight; <= 0: they do not meet.
+    template <int dim>
+    double
+    closing_speed(const Body<dim> &a, const Body<dim> &b)
+    {
+      const Box<dim> box_a = extent(a.shape), box_b = extent(b.shape);
+      const bool     a_first  = box_a.lower[1] + box_a.upper[1] < box_b.lower[1] + box_b.upper[1];
+      const double   relative = a.velocity[1] - b.velocity[1];
+      return a_first ? relative : -relative;
+    }
+
+    template <int dim>
+    double
+    axial_length(const Body<dim> &body)
+    {
+      const Box<dim> box = extent(body.shape);
+      return box.upper[1] - box.lower[1];
+    }
+
+    /// Energy that is left above the initial one when a shocked material has expanded to zero pressure.
+    double
+    residual_energy(const Material &material, const exact::FluidPoint &rest, double pressure)
+    {
+      const exact::ShockedState shocked = exact::shock_to_pressure(*material.eos, rest, pressure);
+      const exact::Isentrope    release(material.eos, shocked.behind);
+      // what boils on release keeps a pressure as far as the table goes
+      const double end = std::max(release.end().fluid.pressure, 0.);
+      return release.at_pressure(std::min(end, shocked.behind.pressure)).fluid.energy - rest.energy;
+    }
+
+    /// Yield stress of the undeformed material at rest; 0 without strength.
+    double
+    yield_stress(const Material &material, const exact::FluidPoint &rest)
+    {
+      if (!material.strength)
+        return 0;
+      const double pressure = 0, strain = 0, rate = 0;
+      double       shear = 0, yield = 0;
+      material.strength->evaluate({{&rest.density, 1}, {&rest.energy, 1}, {&pressure, 1}, {&strain, 1}, {&rate, 1}},
+                                  {&shear, 1}, {&yield, 1});
+      return yield;
+    }
+
+    /// What one material suffers from the pressure of first contact, which changes its velocity by `jump`.
+    template <int dim>
+    void
+    add_body(const Body<dim> &body, const SceneMaterial &material, double jump, Encounter &encounter)
+    {
+      const Material         &model = material.complete;
+      const exact::FluidPoint rest  = exact::fluid_point(*model.eos, body.density, body.energy);
+      if (const double yield = yield_stress(model, rest); yield > 0)
+        encounter.stress = std::min(encounter.stress, encounter.pressure / yield);
+      const double spall = material.request.constant_or("Spall strength", 0.);
+      if (model.void_law)
+        encounter.tension = std::max(encounter.tension, spall > 0 ? encounter.pressure / spall : infinity);
+      if (model.thermal)
+        {
+          const double residual    = residual_energy(model, rest, encounter.pressure);
+          const auto   transitions = model.thermal->transitions();
+          encounter.residual       = std::max(encounter.residual, residual / transitions.melt_onset);
+          encounter.kinetic        = std::max(encounter.kinetic, 0.5 * jump * jump / transitions.melt_onset);
+          encounter.vapour         = std::max(encounter.vapour, residual / transitions.vapour_onset);
+        }
+    }
+
+    template <int dim>
+    Encounter
+    meet(const Scene<dim> &scene, const Body<dim> &a, const Body<dim> &b, double speed)
+    {
+      Encounter encounter;
+      encounter.description     = a.name + " on " + b.name + " at " + rounded(10. * speed) + " km/s";
+      encounter.stress          = infinity;
+      const SceneMaterial &of_a = scene.materials[a.material], &of_b = scene.materials[b.material];
+      encounter.of_solids =
+          of_a.request.equation_of_state != "ideal gas" && of_b.request.equation_of_state != "ideal gas";
+      try
+        {
+          for (const SceneMaterial *material : {&of_a, &of_b})
+            if (material->complete.void_law && material->complete.void_law->initial_void_fraction() > 0.)
+              throw StateError("porous: the shock is not that of the solid");
+          const exact::Riemann contact({of_a.complete.eos, a.density, speed, a.energy},
+                                       {of_b.complete.eos, b.density, 0., b.energy});
+          encounter.pressure = contact.pressure();
+          // the pressure ends when the wave has come back from the nearer free face
+          encounter.duration = std::min(2. * axial_length(a) / (contact.fastest_left() + speed),
+                                        2. * axial_length(b) / contact.fastest_right());
+          add_body(a, of_a, speed - contact.velocity(), encounter);
+          add_body(b, of_b, contact.velocity(), encounter);
+        }
+      catch (const StateError &)
+        {
+          encounter.is_known = false;
+        }
+      return encounter;
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<Encounter>
+  encounters(const Scene<dim> &scene)
+  {
+    std::vector<Encounter> all;
+    for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+      for (std::size_t b = a + 1; b < scene.bodies.size(); ++b)
+        if (const double speed = closing_speed(scene.bodies[a], scene.bodies[b]); speed > 0)
+          all.push_back(meet(scene, scene.bodies[a], scene.bodies[b], speed));
+    std::sort(all.begin(), all.end(), [](const Encounter &a, const Encounter &b) { return a.pressure > b.pressure; });
+    return all;
+  }
+
+  template <int dim>
+  double
+  joined_duration(const Scene<dim> &scene)
+  {
+    double fastest = 0, front = -infinity, time = 0, joined = 0;
+    for (const Body<dim> &body : scene.bodies)
+      if (body.velocity[1] > fastest)
+        {
+          fastest = body.velocity[1];
+          front   = extent(body.shape).upper[1];
+        }
+    for (const Stage &stage : scene.stages)
+      {
+        const double start = time;
+        if (stage.end.kind == StageEnd::Kind::at_time)
+          time = std::max(time, stage.end.time);
+        else if (stage.end.kind == StageEnd::Kind::after)
+          time += stage.end.time;
+        else if (fastest > 0)
+          time = std::max(time, (extent(scene.bodies[stage.end.body].shape).lower[1] - front) / fastest);
+        if (stage.mode == StageMode::eulerian || stage.cohesion != Cohesion::fragments)
+          joined += time - start;
+      }
+    return joined;
+  }
+
+  template std::vector<Encounter>
+  encounters(const Scene<2> &);
+  template double
+  joined_duration(const Scene<2> &);
+} // namespace whipple
