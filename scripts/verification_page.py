@@ -6,6 +6,8 @@ errors and orders that its study found, with one picture each.
     for scene in prm/verification/*.prm; do ./whipple study "$scene"; done     those with a section Study
     scripts/verification_page.py build/tests output
 
+A scene without a new study in output keeps the section it has on the page.
+
 Needs python3-matplotlib.
 """
 import json
@@ -115,22 +117,31 @@ def problem(scene, directory):
     return text + f"![errors]({picture(study, scene.stem)})\n\n{errors_table(study)}\n{failures(study)}"
 
 
+def sections_of(page):
+    """Heading -> text of the sections of a page, for scenes whose study is not run anew."""
+    parts = re.split(r"^(?=## )", page.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return {part.split("\n", 1)[0][3:]: part.rstrip("\n") + "\n" for part in parts if part.startswith("## ")}
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     table, failed = tests_table(pathlib.Path(sys.argv[1]))
     studies = pathlib.Path(sys.argv[2])
-    problems, missing = [], []
+    problems, missing, earlier = [], [], sections_of(ROOT / "doc" / "verification.md")
     for scene in sorted(SCENES.glob("*.prm")):
         if not re.search(r"^subsection Study", scene.read_text(encoding="utf-8"), re.MULTILINE):
             continue
         if (studies / scene.stem / "study.json").exists():
             problems.append(problem(scene, studies / scene.stem))
         else:
+            title = re.search(r"^\s*set Title\s*=\s*(.*)$", scene.read_text(encoding="utf-8"), re.MULTILINE).group(1)
+            if title in earlier:
+                problems.append(earlier[title])
             missing.append(scene.stem)
     (ROOT / "doc" / "verification.md").write_text("\n".join([HEAD, table, *problems]), encoding="utf-8")
     if failed or missing:
-        sys.exit("\n".join([f"failed: {name}" for name in failed] + [f"no study of {name}" for name in missing]))
+        sys.exit("\n".join([f"failed: {name}" for name in failed] + [f"no new study of {name}" for name in missing]))
 
 
 if __name__ == "__main__":

@@ -58,13 +58,33 @@ namespace whipple
   }
 
   std::string
-  SceneParameters::print() const
+  SceneParameters::print(const std::function<bool(const std::string &section)> &keep) const
   {
-    std::ostringstream text;
-    handler_.print_parameters(text,
-                              dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
-                                                                    dealii::ParameterHandler::KeepDeclarationOrder));
-    return text.str();
+    std::stringstream all;
+    handler_.print_parameters(all, dealii::ParameterHandler::OutputStyle(
+                                       dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder));
+    std::string              text;
+    std::vector<std::string> path;
+    std::size_t              dropped_at = 0; // depth of the section that is left out; 0: none
+    for (std::string line; std::getline(all, line);)
+      {
+        const std::string statement = line.substr(std::min(line.find_first_not_of(' '), line.size()));
+        if (statement.starts_with("subsection "))
+          {
+            path.push_back((path.empty() ? "" : path.back() + '/') + statement.substr(11));
+            if (dropped_at == 0 && !keep(path.back()))
+              dropped_at = path.size();
+          }
+        if (dropped_at == 0)
+          text += line + '\n';
+        if (statement == "end")
+          {
+            if (dropped_at == path.size())
+              dropped_at = 0;
+            path.pop_back();
+          }
+      }
+    return text;
   }
 
   SceneParameters::Entry *

@@ -47,6 +47,19 @@ namespace whipple
       return all;
     }
 
+    /// False for the subsection of a name that the final List leaves out: it has no part in the scene.
+    bool
+    is_listed(SceneParameters &parameters, const std::string &section)
+    {
+      for (const std::string parent : {"Materials", "Bodies", "Stages"})
+        if (section.starts_with(parent + '/'))
+          {
+            const std::vector<std::string> names = split_names(parameters.get(parent, "List"));
+            return std::find(names.begin(), names.end(), section.substr(parent.size() + 1)) != names.end();
+          }
+      return true;
+    }
+
     /// The section Study is for studies; a run checks that it is well formed and goes on without it.
     void
     drop_study(const std::string &file, std::vector<PrmStatement> &statements)
@@ -113,7 +126,8 @@ namespace whipple
     scene.exact = sections::read_exact_solution<dim>(parameters, scene);
     sections::check_initial_states<dim>(parameters, scene);
     sections::drive_sides<dim>(parameters, scene);
-    scene.effective_parameters = parameters.print();
+    scene.effective_parameters =
+        parameters.print([&](const std::string &section) { return is_listed(parameters, section); });
     return scene;
   }
 

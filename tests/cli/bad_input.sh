@@ -29,4 +29,18 @@ rejects 'needs a value' run scene.prm --output
 rejects "no help on 'weather'" help weather
 rejects 'no_such_scene.prm' run no_such_scene.prm --validate
 rejects 'no_such_scene.prm' run no_such_scene.prm -n 2
+
+# Models and effects: what is missing, what nothing reads, what contradicts.
+shield=$2/prm/whipple_shield.prm
+set_material='Materials/aluminium'
+rejects 'Hardening modulus is needed' run "$shield" --set "$set_material/Strength = linear hardening"
+rejects 'needs a thermal model' run "$shield" --set "$set_material/Conduction = constant conductivity"
+rejects 'isothermal = true with heat conduction' run "$shield" --set "$set_material/Conduction = constant conductivity" \
+  --set "$set_material/Thermal model = constant specific heat" --set "$set_material/Isothermal = true"
+rejects 'set Materials/NAME/Thermal model' run "$shield" --set 'Effects/List = strength, voids, melting'
+rejects "'failure' means nothing without 'voids'" run "$shield" --set 'Effects/List = strength, failure'
+rejects "unknown 'everything'" run "$shield" --set 'Effects/List = everything'
+rejects 'no_such_table.h5' run "$shield" --set "$set_material/Equation of state = tabulated" \
+  --set "$set_material/Table = no_such_table.h5"
+rejects 'must be >= 0 or infinite' run "$shield" --set "$set_material/Spall strength = -1 GPa"
 [ ! -e output ] || { echo 'something was written'; exit 1; }

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,9 @@ namespace whipple
     [[noreturn]] void
     reject(const std::string &section, const std::string &key, const std::string &allowed);
 
-    /// All entries as a .prm with their documentation.
+    /// All entries as a .prm with their documentation, but for sections ("Stages/debris") for which `keep` is false.
     std::string
-    print() const;
+    print(const std::function<bool(const std::string &section)> &keep) const;
 
   private:
     struct Entry
