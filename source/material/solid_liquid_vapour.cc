@@ -153,26 +153,15 @@ namespace whipple
   SolidLiquidVapour::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
                               std::span<double> sound_speed_squared) const
   {
-    const std::size_t n = gamma.size();
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const Value p          = value(gamma[i], energy[i]);
-        pressure[i]            = p.pressure;
-        sound_speed_squared[i] = p.dp_dgamma + p.pressure / (gamma[i] * gamma[i]) * p.dp_de;
-      }
+    pointwise::evaluate([this](double g, double e) { return value(g, e); }, gamma, energy, pressure,
+                        sound_speed_squared);
   }
 
   void
   SolidLiquidVapour::derivatives(std::span<const double> gamma, std::span<const double> energy,
                                  std::span<double> dp_dgamma, std::span<double> dp_de) const
   {
-    const std::size_t n = gamma.size();
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        const Value p = value(gamma[i], energy[i]);
-        dp_dgamma[i]  = p.dp_dgamma;
-        dp_de[i]      = p.dp_de;
-      }
+    pointwise::derivatives([this](double g, double e) { return value(g, e); }, gamma, energy, dp_dgamma, dp_de);
   }
 
   double

@@ -36,12 +36,8 @@ namespace whipple
                       std::span<double> sound_speed_squared) const
   {
     BicubicTable::Cell cell;
-    for (std::size_t i = 0; i < gamma.size(); ++i)
-      {
-        const State s          = state(gamma[i], energy[i], cell);
-        pressure[i]            = s.p;
-        sound_speed_squared[i] = s.dp_dgamma + s.p / (gamma[i] * gamma[i]) * s.dp_de;
-      }
+    pointwise::evaluate([&](double g, double e) { return state(g, e, cell); }, gamma, energy, pressure,
+                        sound_speed_squared);
   }
 
   void
@@ -49,12 +45,7 @@ namespace whipple
                          std::span<double> dp_de) const
   {
     BicubicTable::Cell cell;
-    for (std::size_t i = 0; i < gamma.size(); ++i)
-      {
-        const State s = state(gamma[i], energy[i], cell);
-        dp_dgamma[i]  = s.dp_dgamma;
-        dp_de[i]      = s.dp_de;
-      }
+    pointwise::derivatives([&](double g, double e) { return state(g, e, cell); }, gamma, energy, dp_dgamma, dp_de);
   }
 
   double
@@ -131,12 +122,12 @@ namespace whipple
       BicubicTable::Cell cell;
       double             high = table_.reference_density;
       for (double low = 0.99 * high; low > table_.density.front(); high = low, low *= 0.99)
-        if (state(low, energy, cell).p <= 0.)
+        if (state(low, energy, cell).pressure <= 0.)
           {
             for (int i = 0; i < 50; ++i)
               {
-                const double middle                                = 0.5 * (low + high);
-                (state(middle, energy, cell).p <= 0. ? low : high) = middle;
+                const double middle                                       = 0.5 * (low + high);
+                (state(middle, energy, cell).pressure <= 0. ? low : high) = middle;
               }
             return high;
           }
@@ -175,9 +166,9 @@ namespace whipple
           const auto   lowest = lowest_energy_.at(gamma);
           const State  p      = state(gamma, lowest.value + heat, cell);
           const auto   t      = temperature_->at(gamma, heat, cell);
-          if (!(p.p > 0.))
+          if (!(p.pressure > 0.))
             continue;
-          const double a = gamma * gamma * (t.dx - t.dy * lowest.slope), b = p.p * t.dy, c = t.value * p.dp_de;
+          const double a = gamma * gamma * (t.dx - t.dy * lowest.slope), b = p.pressure * t.dy, c = t.value * p.dp_de;
           const double violation = std::abs(a + b - c) / (std::abs(a) + std::abs(b) + std::abs(c));
           all.push_back(violation);
           if (violation > result.largest)

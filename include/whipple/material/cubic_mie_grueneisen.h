@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/material/equation_of_state.h>
+#include <whipple/material/pointwise.h>
 #include <whipple/material/reference_curve.h>
 
 namespace whipple
@@ -48,10 +49,7 @@ namespace whipple
     name() const override;
 
   private:
-    struct Value
-    {
-      double pressure, dp_dgamma, dp_de;
-    };
+    using Value = pointwise::Value;
     Value
     value(double gamma, double energy) const;
 

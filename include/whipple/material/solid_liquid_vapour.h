@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/material/equation_of_state.h>
+#include <whipple/material/pointwise.h>
 #include <whipple/material/release_line.h>
 #include <whipple/material/thermal_model.h>
 
@@ -62,10 +63,7 @@ namespace whipple
       boiling,
       tension
     };
-    struct Value
-    {
-      double pressure, dp_dgamma, dp_de;
-    };
+    using Value = pointwise::Value;
     struct Thermal
     {
       double temperature, melt_fraction, vapour_fraction;

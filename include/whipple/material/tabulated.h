@@ -4,6 +4,7 @@
 #include <whipple/material/bicubic_table.h>
 #include <whipple/material/equation_of_state.h>
 #include <whipple/material/equation_of_state_table.h>
+#include <whipple/material/pointwise.h>
 #include <whipple/material/thermal_model.h>
 
 #include <optional>
@@ -67,10 +68,7 @@ namespace whipple
     name() const override;
 
   private:
-    struct State
-    {
-      double p, dp_dgamma, dp_de;
-    };
+    using State = pointwise::Value;
 
     /// @param hint cell that is tried first, and the one found.
     State
