@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
-
-#include <cmath>
+#include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/solid_state.h>
 
 namespace whipple
 {
@@ -34,14 +34,9 @@ namespace whipple
       advance_material(State<2> &state, const MaterialWork &before, double dt, std::size_t m)
       {
         MaterialState &material = state.material[m];
-        const double   gamma0   = materials_[m].eos->reference_density();
-        const Index    n        = state.n_cells();
-        for (Index c = 0; c < n; ++c)
-          {
-            const double solid = material.has_voids() ? 1. - material.void_fraction[c] : 1.;
-            true_density_[c]   = material.density[c] > 0 ? material.density[c] / solid : gamma0;
-            solid_pressure_[c] = material.pressure[c] / solid;
-          }
+        solid_state::true_density(material.density, material.void_fraction, materials_[m].eos->reference_density(),
+                                  true_density_);
+        solid_state::pressure(material.pressure, material.void_fraction, solid_pressure_);
         FailureInput input{true_density_, material.energy, solid_pressure_, material.void_fraction, {}, {}, dt};
         if (materials_[m].strength)
           {
@@ -51,7 +46,7 @@ namespace whipple
           }
         std::vector<double> &damage = material.fields[damage_].value;
         materials_[m].failure->advance(input, damage);
-        for (Index c = 0; c < n; ++c)
+        for (Index c = 0; c < state.n_cells(); ++c)
           damage[c] = material.mass[c] > 0 ? damage[c] : 0.;
       }
 
@@ -64,9 +59,7 @@ namespace whipple
         const auto &strain = material.fields[state.index.plastic_strain].value;
         for (Index c = 0; c < state.n_cells(); ++c)
           {
-            const double hoop = s00[c] + s11[c];
-            equivalent_stress_[c] =
-                std::sqrt(1.5 * (s00[c] * s00[c] + s11[c] * s11[c] + hoop * hoop) + 3. * s01[c] * s01[c]);
+            equivalent_stress_[c] = plasticity::equivalent_stress(plasticity::Deviator<double>{s00[c], s11[c], s01[c]});
             plastic_increment_[c] = strain[c] - before.plastic_strain[c];
           }
       }

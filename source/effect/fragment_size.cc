@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
+#include <whipple/hydro/solid_state.h>
 
 #include <algorithm>
 
@@ -37,12 +38,12 @@ namespace whipple
       void
       advance_material(MaterialState &material, const MaterialWork &before, double dt, std::size_t m)
       {
-        const Index  n      = static_cast<Index>(density_.size());
-        const double gamma0 = materials_[m].eos->reference_density();
+        const Index n = static_cast<Index>(density_.size());
+        solid_state::true_density(material.density, material.void_fraction, materials_[m].eos->reference_density(),
+                                  density_);
         for (Index c = 0; c < n; ++c)
           {
             const bool there = material.density[c] > 0;
-            density_[c]      = there ? material.density[c] / (1. - material.void_fraction[c]) : gamma0;
             rate_[c]         = there ? std::max(before.density[c] / material.density[c] - 1., 0.) / dt : 0.;
           }
         materials_[m].fragments->evaluate(density_, material.sound_speed, rate_, size_);

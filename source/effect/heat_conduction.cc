@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
+#include <whipple/hydro/solid_state.h>
 
 #include <algorithm>
 #include <array>
@@ -126,10 +127,8 @@ namespace whipple
       void
       add_material(const State<2> &state, const MaterialState &m, const Material &material)
       {
-        const double gamma0 = material.eos->reference_density();
-        const auto   solid  = [&m](Index c) { return m.has_voids() ? 1. - m.void_fraction[c] : 1.; };
-        for (Index c = 0; c < mesh_.n_cells; ++c)
-          true_density_[c] = m.density[c] > 0 ? m.density[c] / solid(c) : gamma0;
+        const auto solid = [&m](Index c) { return m.has_voids() ? 1. - m.void_fraction[c] : 1.; };
+        solid_state::true_density(m.density, m.void_fraction, material.eos->reference_density(), true_density_);
         ThermalOutput output;
         output.temperature   = material_temperature_;
         output.melt_fraction = melt_fraction_;

@@ -2,6 +2,7 @@
 
 #include <whipple/error.h>
 #include <whipple/hydro/material_passes.h>
+#include <whipple/hydro/solid_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +11,6 @@ namespace whipple::material_passes
 {
   namespace
   {
-    /// gamma = rho / (1 - phi); the reference density where there is nothing.
-    void
-    true_density(const std::vector<double> &density, const std::vector<double> &void_fraction, double reference,
-                 std::vector<double> &result)
-    {
-      const std::size_t n = density.size();
-      if (void_fraction.empty())
-        for (std::size_t c = 0; c < n; ++c)
-          result[c] = density[c] > 0 ? density[c] : reference;
-      else
-        for (std::size_t c = 0; c < n; ++c)
-          result[c] = density[c] > 0 ? density[c] / (1. - void_fraction[c]) : reference;
-    }
-
     /// The share of its spall strength that each cell of a material has left; empty: all of it everywhere.
     std::span<const double>
     soundness(const Material &material, const MaterialState &state, const FieldIndex &index, const MaterialWork &next,
@@ -41,7 +28,8 @@ namespace whipple::material_passes
         }
       if (material.melts)
         {
-          true_density(next.density, next.void_fraction, material.eos->reference_density(), scratch.true_density);
+          solid_state::true_density(next.density, next.void_fraction, material.eos->reference_density(),
+                                    scratch.true_density);
           ThermalOutput output;
           output.melt_fraction = scratch.melt_fraction;
           material.thermal->evaluate(scratch.true_density, next.energy, output);
@@ -75,8 +63,8 @@ namespace whipple::material_passes
     for (std::size_t m = 0; m < materials.size(); ++m)
       {
         MaterialState &material = state.material[m];
-        true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
-                     scratch.true_density);
+        solid_state::true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
+                                  scratch.true_density);
         materials[m].eos->evaluate(scratch.true_density, material.energy, material.pressure, material.sound_speed);
         if (material.has_voids())
           for (Index cell = 0; cell < n_cells; ++cell)
@@ -104,11 +92,10 @@ namespace whipple::material_passes
           continue;
         const MaterialState &material = state.material[m];
         MaterialWork        &next     = work.material[m];
-        true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
-                     scratch.true_density);
-        for (std::size_t c = 0; c < next.solid_pressure.size(); ++c)
-          next.solid_pressure[c] =
-              material.has_voids() ? material.pressure[c] / (1. - material.void_fraction[c]) : material.pressure[c];
+        solid_state::true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
+                                  scratch.true_density);
+        if (!next.solid_pressure.empty())
+          solid_state::pressure(material.pressure, material.void_fraction, next.solid_pressure);
         materials[m].strength->evaluate({scratch.true_density, material.energy, next.solid_pressure,
                                          material.fields[index.plastic_strain].value, work.strain_rate},
                                         next.shear_modulus, next.yield_stress);
