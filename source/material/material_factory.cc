@@ -36,20 +36,31 @@ namespace whipple
       return entry.make(input);
     }
 
+    /// The models that a request chose.
+    /// @throws InputError for a name that its family does not have.
+    std::vector<const ModelDescription *>
+    chosen_models(const MaterialRequest &request)
+    {
+      std::vector<const ModelDescription *> chosen;
+      for (const ModelFamily &family : model_families())
+        if (const ModelDescription *model = chosen_model(family, request))
+          chosen.push_back(model);
+      return chosen;
+    }
+
     /// A constant that no chosen model reads is a misunderstanding: say so instead of ignoring it.
     void
-    reject_unused(const MaterialRequest &request)
+    reject_unused(const MaterialRequest &request, const std::vector<const ModelDescription *> &models)
     {
       const auto check = [&](const std::string &key, const auto &value) {
         std::string chosen;
-        for (const ModelFamily &family : model_families())
-          if (const ModelDescription *model = chosen_model(family, request))
-            {
-              for (const ModelConstant &constant : model->constants)
-                if (constant.key == key)
-                  return;
-              chosen += (chosen.empty() ? "'" : ", '") + model->name + "'";
-            }
+        for (const ModelDescription *model : models)
+          {
+            for (const ModelConstant &constant : model->constants)
+              if (constant.key == key)
+                return;
+            chosen += (chosen.empty() ? "'" : ", '") + model->name + "'";
+          }
         std::ostringstream message;
         message << key << " = " << value << ": no use to the models chosen (" << chosen << "): leave it out";
         throw InputError(message.str());
@@ -79,19 +90,17 @@ namespace whipple
 
     /// Where the constants of a material come from.
     std::string
-    sources(const MaterialRequest &request)
+    sources(const MaterialRequest &request, const std::vector<const ModelDescription *> &models)
     {
       if (request.library.empty())
         return "the scene";
       std::vector<std::string> all;
       if (const MaterialConstants *general = find_in_library(request.library))
         all.push_back(general->source);
-      for (const ModelFamily &family : model_families())
-        if (const ModelDescription *model = chosen_model(family, request))
-          for (const PublishedConstants &published : model->published)
-            if (published.material == request.library &&
-                std::find(all.begin(), all.end(), published.source) == all.end())
-              all.push_back(published.source);
+      for (const ModelDescription *model : models)
+        for (const PublishedConstants &published : model->published)
+          if (published.material == request.library && std::find(all.begin(), all.end(), published.source) == all.end())
+            all.push_back(published.source);
       std::string text;
       for (const std::string &source : all)
         text += (text.empty() ? "" : "; ") + source;
@@ -163,11 +172,12 @@ namespace whipple
         if (std::find(names.begin(), names.end(), request.library) == names.end())
           find_material(request.library);
       }
-    reject_unused(request);
+    const std::vector<const ModelDescription *> models = chosen_models(request);
+    reject_unused(request, models);
 
     Material material;
     material.name       = request.name.empty() ? request.library : request.name;
-    material.source     = sources(request);
+    material.source     = sources(request, models);
     material.eos        = make_model<EquationOfState>(request.equation_of_state, request, material);
     material.thermal    = make_model<ThermalModel>(request.thermal_model, request, material);
     material.strength   = make_model<Strength>(request.strength, request, material);
