@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/scene/material_effects.h>
 #include <whipple/scene/sections.h>
 
 namespace whipple::sections
@@ -88,7 +89,7 @@ namespace whipple::sections
     read_state(const SceneSection &section, const Material &material, Body<dim> &body)
     {
       const EquationOfState &eos         = *material.eos;
-      const double           solid_share = material.void_law ? 1. - material.void_law->initial_void_fraction() : 1.;
+      const double           solid_share = 1. - initial_void_fraction(material);
       if (!section.given("Density"))
         section.replace("Density", units::format(solid_share * eos.reference_density(), units::density));
       body.density = section.positive("Density", units::density);

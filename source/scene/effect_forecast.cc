@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
 #include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/material_effects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,9 +59,8 @@ namespace whipple
       bool
       is_porous() const
       {
-        return std::any_of(scene.materials.begin(), scene.materials.end(), [](const SceneMaterial &m) {
-          return m.complete.void_law && m.complete.void_law->initial_void_fraction() > 0.;
-        });
+        return std::any_of(scene.materials.begin(), scene.materials.end(),
+                           [](const SceneMaterial &m) { return sections::initial_void_fraction(m.complete) > 0.; });
       }
       bool
       flies() const
@@ -70,15 +70,6 @@ namespace whipple
                scene.stages.size() > 1;
       }
     };
-
-    std::string
-    rounded(double value)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << value;
-      return text.str();
-    }
 
     EffectVerdict
     no_model(const std::string &name, const std::string &key)
@@ -249,6 +240,15 @@ namespace whipple
       }
     settle_dependencies(verdicts);
     return verdicts;
+  }
+
+  std::string
+  rounded(double value)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << value;
+    return text.str();
   }
 
   std::string

@@ -3,25 +3,16 @@
 #include <whipple/exact/isentrope.h>
 #include <whipple/exact/riemann.h>
 #include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/material_effects.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace whipple
 {
   namespace
   {
-    std::string
-    rounded(double value)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << value;
-      return text.str();
-    }
-
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
     /// Speed at which two bodies close in along axis 1, the line of flight; <= 0: they do not meet.
@@ -102,7 +93,7 @@ namespace whipple
       try
         {
           for (const SceneMaterial *material : {&of_a, &of_b})
-            if (material->complete.void_law && material->complete.void_law->initial_void_fraction() > 0.)
+            if (sections::initial_void_fraction(material->complete) > 0.)
               throw StateError("porous: the shock is not that of the solid");
           const exact::Riemann contact({of_a.complete.eos, a.density, speed, a.energy},
                                        {of_b.complete.eos, b.density, 0., b.energy});

@@ -61,12 +61,18 @@ namespace whipple::sections
       }
     if (!contains(effects, "voids"))
       for (const SceneMaterial &material : materials)
-        if (material.complete.void_law && material.complete.void_law->initial_void_fraction() > 0.)
+        if (initial_void_fraction(material.complete) > 0.)
           throw InputError("material '" + material.name + "' is porous ('" + material.complete.void_law->name() +
                            "'): add the effect 'voids', or choose another void law");
     if (contains(effects, "failure"))
       for (const SceneMaterial &material : materials)
         check_failure(material, effects);
+  }
+
+  double
+  initial_void_fraction(const Material &material)
+  {
+    return material.void_law ? material.void_law->initial_void_fraction() : 0.;
   }
 
   Material

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/material_effects.h>
 #include <whipple/stage/collective.h>
 #include <whipple/stage/initial_state.h>
 #include <whipple/stage/painting.h>
@@ -217,8 +218,7 @@ namespace whipple
             const bool             is_exact = enters_exact(body);
             const CellFilling<dim> filling  = is_exact ? exact->fill(body, state, c) : uniform_filling(body);
             const double           before   = cell_mass(state, c);
-            const auto            &void_law = scene.materials[body.material].model.void_law;
-            const double           pores    = void_law ? void_law->initial_void_fraction() : 0.;
+            const double           pores    = sections::initial_void_fraction(scene.materials[body.material].model);
             const double           added =
                 paint_cell(filling, pores, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
             blend_velocity<dim>(filling, added / (before + added), c, velocities);

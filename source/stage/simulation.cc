@@ -127,12 +127,13 @@ namespace whipple
   void
   Simulation<dim>::measure_material(const Stage &stage)
   {
-    const FlatMesh<dim> &mesh  = domain_.view->mesh;
-    auto                &place = summary_.results[stage.name];
+    const FlatMesh<dim> &mesh = domain_.view->mesh;
     if (scene_.has_effect("melting"))
-      place.merge(phase_results(measure_phases(layout_, mesh, domain_.state, domain_.communicator())));
+      summary_.results[stage.name].merge(
+          phase_results(measure_phases(layout_, mesh, domain_.state, domain_.communicator())));
     if (scene_.has_effect("fragment size"))
-      place.merge(fragment_results(mean_fragment_size(layout_, mesh, domain_.state, domain_.communicator())));
+      summary_.results[stage.name].merge(
+          fragment_results(mean_fragment_size(layout_, mesh, domain_.state, domain_.communicator())));
   }
 
   template <int dim>
@@ -150,8 +151,7 @@ namespace whipple
     loop.run(domain_, ledger_, summary_.counts);
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, "");
-    if (scene_.has_effect("melting") || scene_.has_effect("fragment size"))
-      measure_material(stage);
+    measure_material(stage);
     measure_plates(number);
   }
 

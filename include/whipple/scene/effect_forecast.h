@@ -43,6 +43,10 @@ namespace whipple
   std::vector<EffectVerdict>
   forecast_effects(const Scene<dim> &scene);
 
+  /// A number as verdicts and encounters show it: three digits.
+  std::string
+  rounded(double value);
+
   /// A verdict as a row of a table to read, without line end.
   std::string
   effect_line(const EffectVerdict &verdict);

@@ -14,6 +14,10 @@ namespace whipple::sections
   void
   check_effects(const std::vector<SceneMaterial> &materials, const std::vector<std::string> &effects);
 
+  /// Void fraction that the material's bodies enter with; 0 without a void law.
+  double
+  initial_void_fraction(const Material &material);
+
   /// The material with the models of effects that are off left out, and with what effects do to each other: melting
   /// softens.
   Material
