@@ -6,14 +6,22 @@
 
 namespace whipple
 {
+  int
+  field_index(const std::vector<FieldDescription> &fields, const std::string &name)
+  {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const FieldDescription &field) { return field.name == name; });
+    return found == fields.end() ? -1 : static_cast<int>(found - fields.begin());
+  }
+
   template <int dim>
   int
   EffectSetup<dim>::field(const std::string &name) const
   {
-    for (std::size_t f = 0; f < fields.size(); ++f)
-      if (fields[f].name == name)
-        return static_cast<int>(f);
-    throw std::logic_error("no effect that is on registered the field '" + name + "'");
+    const int found = field_index(fields, name);
+    if (found < 0)
+      throw std::logic_error("no effect that is on registered the field '" + name + "'");
+    return found;
   }
 
   template <int dim>

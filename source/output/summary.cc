@@ -112,6 +112,15 @@ namespace whipple::summary
     }
 
     json::Json
+    json_of(const std::map<std::string, Event> &events)
+    {
+      json::Json json = json::Json::object();
+      for (const auto &[what, event] : events)
+        json[what] = {{"number", json::value(event.number)}, {"size", json::value(event.size)}, {"unit", event.unit}};
+      return json;
+    }
+
+    json::Json
     json_of(const std::map<std::string, Effect> &effects)
     {
       json::Json json = json::Json::object();
@@ -152,7 +161,8 @@ namespace whipple::summary
                                         {"breaks", counts.breaks},
                                         {"rezones", counts.rezones},
                                         {"floors", counts.floors},
-                                        {"warnings", counts.warnings}}}};
+                                        {"warnings", counts.warnings},
+                                        {"events", json_of(counts.events)}}}};
     // names come from scene files: what is not UTF-8 in them must not cost a finished run its summary
     return json.dump(2, ' ', false, json::Json::error_handler_t::replace) + '\n';
   }

@@ -15,17 +15,11 @@ namespace whipple
     for (const EffectDescription &effect : effect_descriptions())
       if (scene.has_effect(effect.name))
         fields.insert(fields.end(), effect.fields.begin(), effect.fields.end());
-    const auto position = [this](const std::string &name) {
-      for (std::size_t f = 0; f < fields.size(); ++f)
-        if (fields[f].name == name)
-          return static_cast<int>(f);
-      return -1;
-    };
-    index.stress_00      = position("deviatoric stress 00");
-    index.stress_11      = position("deviatoric stress 11");
-    index.stress_01      = position("deviatoric stress 01");
-    index.plastic_strain = position("plastic strain");
-    index.damage         = position("damage");
+    index.stress_00      = field_index(fields, "deviatoric stress 00");
+    index.stress_11      = field_index(fields, "deviatoric stress 11");
+    index.stress_01      = field_index(fields, "deviatoric stress 01");
+    index.plastic_strain = field_index(fields, "plastic strain");
+    index.damage         = field_index(fields, "damage");
 
     std::vector<int> bodies_of_material(materials.size(), 0);
     for (const Body<dim> &body : scene.bodies)

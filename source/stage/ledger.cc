@@ -38,6 +38,18 @@ namespace whipple
 
   template <int dim>
   void
+  Ledger<dim>::note(const std::string &what, double number, double size, const std::string &unit)
+  {
+    if (number == 0)
+      return;
+    Event &event = events_[what];
+    event.number += number;
+    event.size += size;
+    event.unit = unit;
+  }
+
+  template <int dim>
+  void
   Ledger<dim>::lose_kinetic(const std::string &cause, double energy, KineticLoss loss)
   {
     convert(cause, energy);

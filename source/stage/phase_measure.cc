@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/effect/effect.h>
 #include <whipple/mesh/gather.h>
 #include <whipple/stage/exact_sum.h>
 #include <whipple/stage/phase_measure.h>
@@ -98,13 +99,9 @@ namespace whipple
   mean_fragment_size(const FieldLayout &layout, const FlatMesh<dim> &mesh, const State<dim> &state,
                      MPI_Comm communicator)
   {
-    const auto position = [&](const std::string &name) {
-      const auto found = std::find_if(layout.fields.begin(), layout.fields.end(),
-                                      [&](const FieldDescription &field) { return field.name == name; });
-      return static_cast<std::size_t>(found - layout.fields.begin());
-    };
-    const std::size_t share = position("fragmented share"), moment = position("fragment size moment");
-    if (share == layout.fields.size())
+    const int share  = field_index(layout.fields, "fragmented share");
+    const int moment = field_index(layout.fields, "fragment size moment");
+    if (share < 0)
       return std::nullopt;
     std::array<ExactSum, 2> sums; // g broken, g cm
     for (const MaterialState &m : state.material)

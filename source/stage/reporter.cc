@@ -141,6 +141,20 @@ namespace whipple
 
   template <int dim>
   void
+  Reporter<dim>::warn_of_events(const Stage &stage, const Ledger<dim> &ledger)
+  {
+    for (const auto &[what, event] : ledger.events())
+      {
+        Event &warned = events_warned_[what];
+        if (event.number > warned.number)
+          log_.warning(format("stage %s: %s, %.0f times, %.3g %s in all", stage.name.c_str(), what.c_str(),
+                              event.number - warned.number, event.size - warned.size, event.unit.c_str()));
+        warned = event;
+      }
+  }
+
+  template <int dim>
+  void
   Reporter<dim>::stage_ends(const Stage &stage, const Domain<dim> &domain, const Ledger<dim> &ledger)
   {
     write_fields(stage, domain);
@@ -167,6 +181,7 @@ namespace whipple
     const auto closure = ledger.closure(present);
     log_.info(format("  closes to %.1e (mass), %.1e (axial momentum), %.1e (total energy)", closure.mass,
                      closure.axial_momentum, closure.energy));
+    warn_of_events(stage, ledger);
   }
 
   template <int dim>
@@ -184,8 +199,10 @@ namespace whipple
 
   template <int dim>
   void
-  Reporter<dim>::failed(const Stage &stage, const Domain<dim> &domain, const std::string &reason)
+  Reporter<dim>::failed(const Stage &stage, const Domain<dim> &domain, const Ledger<dim> &ledger,
+                        const std::string &reason)
   {
+    warn_of_events(stage, ledger);
     log_.warning(reason);
     write_last_good_state(directory_, domain.view->mesh, domain.state, layout_.material_names, stage.name, reason,
                           domain.communicator());

@@ -194,7 +194,9 @@ namespace whipple
     for (const summary::Stage &stage : summary_.stages)
       summary_.performance.active_cell_steps += stage.cell_steps;
     summary_.counts.warnings = reporter_.log().warnings();
-    int rank                 = 0;
+    for (const auto &[what, event] : ledger_.events())
+      summary_.counts.events[what] = {event.number, event.size, event.unit};
+    int rank = 0;
     MPI_Comm_rank(communicator, &rank);
     if (rank == 0)
       summary::write(summary_, directory_);
@@ -216,7 +218,7 @@ namespace whipple
     catch (const StateError &error)
       {
         if (domain_.view)
-          reporter_.failed(scene_.stages[number], domain_, error.what());
+          reporter_.failed(scene_.stages[number], domain_, ledger_, error.what());
         summary_.status = "stopped";
         summary_.reason = error.what();
         write_summary();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Errors against an exact solution and the shock's position are the same bits on any number of ranks.
+#include "source_directory.h"
+
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/stage/exact_errors.h>
 #include <whipple/stage/handover.h>
@@ -21,7 +23,7 @@ namespace
   Measured
   measure(MPI_Comm communicator)
   {
-    const Scene<2>      scene = read_scene<2>(std::string(WHIPPLE_SOURCE_DIR) + "/prm/verification/noh_spherical.prm",
+    const Scene<2>      scene = read_scene<2>(source_directory() + "/prm/verification/noh_spherical.prm",
                                          {"Mesh/Finest cell = 0.05 cm", "Exact solution/Start time = 0.3 us"});
     const FieldLayout   layout(scene);
     const Regridding<2> regridding(scene, layout);

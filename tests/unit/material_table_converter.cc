@@ -2,6 +2,7 @@
 // A SESAME text made of an analytic law, converted by scripts/convert_eos_table.py, read, and compared with the law.
 #include "../figure.h"
 #include "analytic_solid.h"
+#include "source_directory.h"
 #include "table_writer.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +83,7 @@ namespace
       const table_writer::File text("sesame.txt"), table("sesame.h5");
       write_sesame(text.path(), n);
       const std::string command =
-          std::string("/usr/bin/python3 '" WHIPPLE_SOURCE_DIR "/scripts/convert_eos_table.py' '") + text.path() +
+          std::string("/usr/bin/python3 '" + source_directory() + "/scripts/convert_eos_table.py' '") + text.path() +
           "' '" + table.path() + "' --temperature 300 > /dev/null";
       if (std::system(command.c_str()) != 0)
         throw std::runtime_error("not converted: " + command);

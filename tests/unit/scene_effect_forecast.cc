@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What `Effects/List = auto` makes of scenes: the impacts it sees, and its verdicts.
+#include "source_directory.h"
+
 #include <whipple/scene/effect_forecast.h>
 
 #include <gtest/gtest.h>
@@ -12,7 +14,7 @@ namespace
 {
   using namespace whipple;
 
-  const std::string shield = std::string(WHIPPLE_SOURCE_DIR) + "/prm/whipple_shield.prm";
+  const std::string shield = source_directory() + "/prm/whipple_shield.prm";
 
   /// The shield with a model of every family, and more.
   Scene<2>
@@ -82,7 +84,7 @@ namespace
   TEST(EffectForecast, WithoutModelsNothingIsChosen)
   {
     const std::vector<EffectVerdict> verdicts =
-        forecast_effects(read_scene<2>(std::string(WHIPPLE_SOURCE_DIR) + "/prm/verification/sod.prm"));
+        forecast_effects(read_scene<2>(source_directory() + "/prm/verification/sod.prm"));
     for (const char *name : {"strength", "voids", "melting", "failure", "heat conduction", "fragment size"})
       {
         EXPECT_FALSE(verdict(verdicts, name).on) << name;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "source_directory.h"
+
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
 #include <whipple/scene/scene.h>
@@ -15,7 +17,7 @@ namespace
 {
   using namespace whipple;
 
-  const std::string source = WHIPPLE_SOURCE_DIR;
+  const std::string source = source_directory();
   const std::string shield = source + "/prm/whipple_shield.prm";
 
   /// The message a scene file with overrides is rejected with; empty if it is accepted.

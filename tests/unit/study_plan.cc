@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "source_directory.h"
+
 #include <whipple/error.h>
 #include <whipple/scene/scene.h>
 #include <whipple/study/study_plan.h>
@@ -15,7 +17,7 @@ namespace
 {
   using namespace whipple;
 
-  const std::string shield = std::string(WHIPPLE_SOURCE_DIR) + "/prm/whipple_shield.prm";
+  const std::string shield = source_directory() + "/prm/whipple_shield.prm";
 
   const std::string study_text = "subsection Study\n"
                                  "  set Scene     = " +
@@ -183,7 +185,7 @@ namespace
   TEST(StudyPlan, EveryShippedStudyIsValid)
   {
     int studies = 0;
-    for (const auto &entry : std::filesystem::recursive_directory_iterator(std::string(WHIPPLE_SOURCE_DIR) + "/prm"))
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(source_directory() + "/prm"))
       if (entry.path().extension() == ".prm" && read_study_section(entry.path(), read_prm_statements(entry.path())))
         {
           StudyOptions options;

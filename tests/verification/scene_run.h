@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "source_directory.h"
+
 #include <whipple/output/output_directory.h>
 #include <whipple/scene/scene.h>
 #include <whipple/stage/simulation.h>
@@ -20,8 +22,8 @@ namespace whipple::verification
     const std::string directory = "verification_output/" + folder;
     std::filesystem::create_directories("verification_output");
     prepare_output_directory(directory, MPI_COMM_SELF);
-    auto simulation = std::make_unique<Simulation<2>>(
-        read_scene<2>(std::string(WHIPPLE_SOURCE_DIR) + "/prm/" + scene, overrides), directory, false, MPI_COMM_SELF);
+    auto simulation = std::make_unique<Simulation<2>>(read_scene<2>(source_directory() + "/prm/" + scene, overrides),
+                                                      directory, false, MPI_COMM_SELF);
     simulation->run();
     return simulation;
   }

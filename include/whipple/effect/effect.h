@@ -27,6 +27,10 @@ namespace whipple
     std::vector<std::string>      requires_on; ///< effects without which this one has no meaning
   };
 
+  /// Position of a field of that name, -1 if nothing registered it.
+  int
+  field_index(const std::vector<FieldDescription> &fields, const std::string &name);
+
   /// What a pass is made for; all of it outlives the pass.
   template <int dim>
   struct EffectSetup

@@ -84,6 +84,14 @@ namespace whipple::summary
     double active_cell_steps = 0;
   };
 
+  /// Something the scheme had to do to go on: how often, and how much in all.
+  struct Event
+  {
+    double      number = 0;
+    double      size   = 0;
+    std::string unit; ///< of size
+  };
+
   struct Counts
   {
     long retries  = 0;
@@ -92,6 +100,8 @@ namespace whipple::summary
     long rezones  = 0;
     long floors   = 0;
     long warnings = 0;
+
+    std::map<std::string, Event> events; ///< by what: nothing that is counted is invisible
   };
 
   struct Summary

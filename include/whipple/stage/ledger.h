@@ -13,6 +13,14 @@ namespace whipple
   /// "plastic work", "hourglass work", "remap", "regrid", "projection" ...
   using Conversions = std::map<std::string, double>;
 
+  /// Something the scheme had to do to go on (a squeeze, a merge, a release ...): how often, and how much in all.
+  struct Event
+  {
+    double      number = 0;
+    double      size   = 0;
+    std::string unit; ///< of size, "g", "Mbar cm^3" ...
+  };
+
   /// Books of a run: what came in, what left through the domain's sides, what was dropped and why. What is
   /// present must be the difference, to round-off, after every step, regrid and projection:
   ///
@@ -46,6 +54,10 @@ namespace whipple
     /// walls took.
     void
     gathered(const std::string &cause, const GatherReport<dim> &report, KineticLoss loss);
+
+    /// Count what the scheme had to do, all ranks together. Nothing is entered if it never happened.
+    void
+    note(const std::string &what, double number, double size, const std::string &unit);
 
     /// Compare the books with what is present.
     /// @param tolerance largest allowed change of the imbalance since the last call, relative to what was
@@ -82,6 +94,11 @@ namespace whipple
     {
       return conversions_;
     }
+    const std::map<std::string, Event> &
+    events() const
+    {
+      return events_;
+    }
 
   private:
     /// present - (introduced - left - dropped), relative to scale.
@@ -93,6 +110,7 @@ namespace whipple
     ConservedTotals<dim>                        left_;
     std::map<std::string, ConservedTotals<dim>> dropped_;
     Conversions                                 conversions_;
+    std::map<std::string, Event>                events_;
     Closure                                     last_; ///< imbalance at the last check
   };
 } // namespace whipple

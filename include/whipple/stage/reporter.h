@@ -59,7 +59,7 @@ namespace whipple
 
     /// Write the last good state beside the output.
     void
-    failed(const Stage &stage, const Domain<dim> &domain, const std::string &reason);
+    failed(const Stage &stage, const Domain<dim> &domain, const Ledger<dim> &ledger, const std::string &reason);
 
     void
     flush()
@@ -71,13 +71,18 @@ namespace whipple
     void
     write_fields(const Stage &stage, const Domain<dim> &domain);
 
-    const Scene<dim>  &scene_;
-    const FieldLayout &layout_;
-    std::string        directory_;
-    RunLog             log_;
-    Statistics         statistics_;
-    FieldOutput<dim>   fields_;
-    double             next_fields_     = 0; ///< us
-    double             next_statistics_ = 0; ///< us
+    /// A warning for each event of the ledger that has grown since the last call.
+    void
+    warn_of_events(const Stage &stage, const Ledger<dim> &ledger);
+
+    const Scene<dim>            &scene_;
+    const FieldLayout           &layout_;
+    std::string                  directory_;
+    RunLog                       log_;
+    Statistics                   statistics_;
+    FieldOutput<dim>             fields_;
+    std::map<std::string, Event> events_warned_;       ///< of the ledger, at the last warning
+    double                       next_fields_     = 0; ///< us
+    double                       next_statistics_ = 0; ///< us
   };
 } // namespace whipple
