@@ -6,6 +6,7 @@
 #include <whipple/hydro/closure.h>
 #include <whipple/hydro/hourglass.h>
 #include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/trace.h>
 #include <whipple/hydro/velocity_gradient.h>
 
 /// The force pass over the cells, for one kind of artificial viscosity. Each kind has its own source file, which
@@ -33,16 +34,17 @@ namespace whipple::cell_kernels
 
     template <int dim>
     Filling
-    filling(const State<dim> &state, const Pack &volume, const Pack &strain, Index first)
+    filling(const State<dim> &state, const Pack &volume, const Pack &strain, const StepWork<dim> &work, Index first)
     {
       Pack occupied(0.), compliance(0.), pressed(0.);
-      for (const MaterialState &material : state.material)
+      for (std::size_t m = 0; m < state.material.size(); ++m)
         {
-          const Pack v = load(material.volume, first), c = load(material.sound_speed, first);
+          const MaterialState &material = state.material[m];
+          const Pack           v = load(material.volume, first), c = load(material.sound_speed, first);
           const Pack modulus = load(material.density, first) * c * c;
           occupied += v;
           pressed += v * load(material.pressure, first);
-          compliance += select(v > 0., v / modulus, Pack(0.));
+          compliance += select(trace::has_state(material, work.material[m], volume, first), v / modulus, Pack(0.));
         }
       const Pack filled = occupied / volume;
       return {volume - occupied > closure::closed_share * volume,
@@ -116,14 +118,21 @@ namespace whipple::cell_kernels
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState &material = state.material[m];
-          const Pack           share    = load(material.volume, first) / volume;
-          if (none_of(share > 0.))
-            continue;
+          const auto           felt     = trace::has_state(material, work.material[m], volume, first);
+          if (none_of(felt))
+            {
+              if (!work.material[m].half_pressure.empty())
+                store(Pack(0.), work.material[m].half_pressure, first);
+              continue;
+            }
+          const Pack share = select(felt, Pack(load(material.volume, first) / volume), Pack(0.));
           Pack least(0.);
           if constexpr (strength)
             if (!work.material[m].shear_modulus.empty() && any_of(fill.open))
               least = least_pressure(state, material, first);
-          const Pack pressure = half_pressure(material, work.material[m].pores_resist, fill, expansion, least, first);
+          const Pack pressure =
+              select(felt, half_pressure(material, work.material[m].pores_resist, fill, expansion, least, first),
+                     Pack(0.));
           if (!work.material[m].half_pressure.empty())
             store(pressure, work.material[m].half_pressure, first);
           mean.pressure += share * pressure;
@@ -175,7 +184,7 @@ namespace whipple::cell_kernels
 
           const auto      gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
           const Pack      strain   = -dt * gradient.divergence();
-          const Filling   fill     = filling(state, load(state.volume, first), strain, first);
+          const Filling   fill     = filling(state, load(state.volume, first), strain, work, first);
           const MeanState mean     = mean_state<strength>(state, gradient, fill, dt, first, work);
           const Pack      mass = load(work.mass, first), inverse = 1. / half.volume;
           if constexpr (kind == ViscosityKind::scalar)

@@ -3,6 +3,8 @@
 #include <whipple/error.h>
 #include <whipple/hydro/lagrange_step.h>
 
+#include <algorithm>
+
 namespace whipple
 {
   namespace
@@ -62,6 +64,8 @@ namespace whipple
           MaterialWork &next = work.material[m];
           for (auto *array : {&next.volume, &next.density, &next.energy})
             array->resize(mesh.n_cells);
+          next.trace_density  = materials[m].trace_density;
+          next.normal_density = materials[m].eos->reference_density();
           if (materials.size() > 1)
             next.half_pressure.resize(mesh.n_cells);
           if (materials[m].void_law)
@@ -178,7 +182,13 @@ namespace whipple
   LagrangeStep<dim>::time_step(const State<dim> &state) const
   {
     evaluate_strength(state);
-    return find_time_step(mesh_, state, parameters_, work_);
+    if (!motion_.drives_nodes())
+      return find_time_step<dim>(mesh_, state, state.velocity, parameters_, work_);
+    // a side that is about to move its nodes squeezes the cells beside it, whatever velocity they still have
+    for (int d = 0; d < dim; ++d)
+      std::copy(state.velocity[d].begin(), state.velocity[d].end(), work_.velocity[d].begin());
+    motion_.drive(state, work_.velocity);
+    return find_time_step<dim>(mesh_, state, work_.velocity, parameters_, work_);
   }
 
   template <int dim>
@@ -224,6 +234,7 @@ namespace whipple
     if (!work_.viscous_force.empty())
       dissipation.viscous = cell_kernels::viscous_work(mesh_, dt, work_);
     material_passes::advance_voids(materials_, state, dt, scratch_, work_);
+    material_passes::check_densities(mesh_, materials_, state, work_);
 
     commit(state, dt);
     update_pressure(state);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace whipple::material_passes
 {
@@ -40,6 +42,56 @@ namespace whipple::material_passes
     }
   } // namespace
 
+  namespace
+  {
+    /// Void fractions before the law acts: those of the start, but none in a trace that now lies at its normal density.
+    void
+    carry_voids(const MaterialState &material, const std::vector<double> &volume, MaterialWork &next)
+    {
+      constexpr double squeezed = 1.5; // true density over the normal one that pores would have to explain
+      for (std::size_t c = 0; c < volume.size(); ++c)
+        {
+          const double phi       = material.void_fraction[c];
+          const bool   collapsed = material.mass[c] <= next.trace_density * volume[c] &&
+                                 next.density[c] > squeezed * next.normal_density * (1. - phi);
+          next.void_fraction[c] = collapsed ? 0. : phi;
+        }
+    }
+
+    /// Complain about the first owned cell whose true density lies at or beyond what the law can reach.
+    template <int dim>
+    void
+    check_density(const FlatMesh<dim> &mesh, const State<dim> &state, const Material &material, std::size_t m,
+                  const MaterialWork &next)
+    {
+      const double limit = material.eos->max_density();
+      if (!(limit < std::numeric_limits<double>::infinity()))
+        return;
+      const bool voids = !next.void_fraction.empty();
+      for (Index c = 0; c < mesh.n_owned; ++c)
+        {
+          const double density = voids ? next.density[c] / (1. - next.void_fraction[c]) : next.density[c];
+          if (density < limit || state.material[m].mass[c] <= next.trace_density * state.volume[c])
+            continue;
+          std::ostringstream text;
+          text << "Lagrange step compresses '" << material.name << "' from " << state.material[m].density[c] << " to "
+               << density << " g/cm^3 in the cell at (" << state.position[0][mesh.cell_node[4 * c]] << ", "
+               << state.position[1][mesh.cell_node[4 * c]] << ") cm; the " << material.eos->name() << " law ends at "
+               << limit << " g/cm^3";
+          throw StateError(text.str());
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  check_densities(const FlatMesh<dim> &mesh, const std::vector<Material> &materials, const State<dim> &state,
+                  const StepWork<dim> &work)
+  {
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      check_density(mesh, state, materials[m], m, work.material[m]);
+  }
+
   Scratch
   make_scratch(const std::vector<Material> &materials, Index n_cells)
   {
@@ -69,9 +121,11 @@ namespace whipple::material_passes
         if (material.has_voids())
           for (Index cell = 0; cell < n_cells; ++cell)
             material.pressure[cell] *= 1. - material.void_fraction[cell];
+        else
+          solid_state::part_in_tension(scratch.true_density, materials[m].eos->reference_density(), material.pressure);
         for (Index cell = 0; cell < n_cells; ++cell)
           {
-            const bool there           = material.mass[cell] > 0;
+            const bool there           = material.mass[cell] > materials[m].trace_density * state.volume[cell];
             material.pressure[cell]    = there ? material.pressure[cell] : 0.;
             material.sound_speed[cell] = there ? std::sqrt(std::max(material.sound_speed[cell], 0.)) : 0.;
           }
@@ -117,8 +171,7 @@ namespace whipple::material_passes
         if (!materials[m].void_law)
           continue;
         MaterialWork &next = work.material[m];
-        std::copy(state.material[m].void_fraction.begin(), state.material[m].void_fraction.end(),
-                  next.void_fraction.begin());
+        carry_voids(state.material[m], state.volume, next);
         const auto sound = soundness(materials[m], state.material[m], state.index, next, scratch);
         materials[m].void_law->advance(*materials[m].eos, dt, {next.density, next.energy, sound}, next.void_fraction);
       }
@@ -128,6 +181,8 @@ namespace whipple::material_passes
   evaluate_pressure(const std::vector<Material> &, State<2> &, Scratch &);
   template void
   evaluate_strength(const std::vector<Material> &, const State<2> &, Scratch &, StepWork<2> &);
+  template void
+  check_densities(const FlatMesh<2> &, const std::vector<Material> &, const State<2> &, const StepWork<2> &);
   template void
   advance_voids(const std::vector<Material> &, const State<2> &, double, Scratch &, StepWork<2> &);
 } // namespace whipple::material_passes

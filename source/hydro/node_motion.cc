@@ -26,6 +26,9 @@ namespace whipple
           constraint.side[d] = ruling_side<dim>(boundaries, mesh.node_side[node], d);
         if (std::any_of(constraint.side.begin(), constraint.side.end(), [](int side) { return side != none; }))
           constrained_.push_back(constraint);
+        for (const int side : constraint.side)
+          drives_nodes_ = drives_nodes_ || (side != none && (boundaries[side].kind == BoundaryKind::inflow ||
+                                                             boundaries[side].kind == BoundaryKind::exact));
       }
     for (int axis = 0; axis < dim; ++axis)
       for (Index face = 0; face < mesh.faces[axis].size(); ++face)
@@ -61,6 +64,25 @@ namespace whipple
         for (Index node = 0; node < mesh_.n_nodes; ++node)
           half[node] = x[node] + 0.5 * dt * v[node];
       }
+  }
+
+  template <int dim>
+  void
+  NodeMotion<dim>::drive(const State<dim> &state, std::array<std::vector<double>, dim> &velocity) const
+  {
+    for (const ConstrainedNode &constraint : constrained_)
+      {
+        Vector<dim> x;
+        for (int d = 0; d < dim; ++d)
+          x[d] = state.position[d][constraint.node];
+        for (int d = 0; d < dim; ++d)
+          if (constraint.side[d] != none)
+            velocity[d][constraint.node] =
+                ruled_velocity<dim>(boundaries_[constraint.side[d]], d, velocity[d][constraint.node], x, state.time);
+      }
+    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
+      for (auto &component : velocity)
+        component[mesh_.hanging[i]] = 0.5 * (component[mesh_.master[i][0]] + component[mesh_.master[i][1]]);
   }
 
   namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <whipple/hydro/cell_kernels.h>
+#include <whipple/hydro/trace.h>
 #include <whipple/hydro/viscosity.h>
 
 namespace whipple::cell_kernels
@@ -11,11 +12,17 @@ namespace whipple::cell_kernels
   {
     for (Index first = 0; first < mesh.n_cells; first += pack_size)
       {
-        const geometry::QuadOf<Pack> x = gather_corners(mesh, work.half_position, first);
-        const geometry::QuadOf<Pack> v = gather_corners(mesh, state.velocity, first);
+        const geometry::QuadOf<Pack> x      = gather_corners(mesh, work.half_position, first);
+        const geometry::QuadOf<Pack> v      = gather_corners(mesh, state.velocity, first);
+        const Pack                   volume = load(state.volume, first);
         Pack                         mass(0.);
-        for (const MaterialState &material : state.material)
-          mass += load(material.mass, first);
+        auto                         felt = mass > 0.; // something has a state
+        for (std::size_t m = 0; m < state.material.size(); ++m)
+          {
+            mass += load(state.material[m].mass, first);
+            felt = felt || trace::has_state(state.material[m], work.material[m], volume, first);
+          }
+        mass = select(felt, mass, Pack(0.));
         store(mass, work.mass, first);
         const Index end = std::min<Index>(mesh.n_cells, first + pack_size);
         for (int d = 0; d < dim; ++d)

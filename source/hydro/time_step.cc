@@ -2,6 +2,7 @@
 
 #include <whipple/hydro/closure.h>
 #include <whipple/hydro/time_step.h>
+#include <whipple/hydro/trace.h>
 #include <whipple/hydro/velocity_gradient.h>
 #include <whipple/hydro/viscosity.h>
 
@@ -27,69 +28,65 @@ namespace whipple
       return geometry::volume<Symmetry::planar>(x) / sqrt(max(sides, diagonal));
     }
 
-    /// Square of the fastest wave among the materials of each cell, cm^2/us^2; 0 without material.
-    template <int dim>
-    Pack
-    fastest_wave_squared(const State<dim> &state, const StepWork<dim> &work, Index first)
+    /// What the time step needs to know of the materials in a pack of cells.
+    struct Content
     {
-      Pack fastest(0.);
+      Pack::mask_type felt;    ///< holds material that is no trace
+      Pack            wave;    ///< square of the fastest wave, cm^2/us^2
+      Pack            pressed; ///< largest part of a compression that the materials may take, 1 without open void
+    };
+
+    /// Fastest of the materials: max(c^2, |P| / rho) + 4/3 (1 - phi) G / rho. The second term of the maximum is how
+    /// fast a pressure drives matter apart whose law has no real sound speed (c = 0 there).
+    template <int dim>
+    Content
+    content(const State<dim> &state, const StepWork<dim> &work, Index first)
+    {
+      const Pack volume = load(state.volume, first);
+      Pack       fastest(0.), occupied(0.);
+      auto       any = volume < 0.;
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState &material = state.material[m];
-          const auto           there    = load(material.mass, first) > 0.;
-          const Pack           c        = load(material.sound_speed, first);
-          Pack                 square   = c * c;
+          const auto           felt     = trace::has_state(material, work.material[m], volume, first);
+          any                           = any || felt;
+          occupied += load(material.volume, first);
+          const Pack c = load(material.sound_speed, first), inverse_density = 1. / load(material.density, first);
+          Pack       square = max(c * c, Pack(abs(load(material.pressure, first)) * inverse_density));
           if (!work.material[m].shear_modulus.empty())
             {
-              Pack inverse_density = 1. / load(material.density, first);
+              Pack solid = inverse_density;
               if (material.has_voids())
-                inverse_density *= 1. - load(material.void_fraction, first);
-              square += 4. / 3. * load(work.material[m].shear_modulus, first) * inverse_density;
+                solid *= 1. - load(material.void_fraction, first);
+              square += 4. / 3. * load(work.material[m].shear_modulus, first) * solid;
             }
-          fastest = max(fastest, select(there, square, Pack(0.)));
+          fastest = max(fastest, select(felt, square, Pack(0.)));
         }
-      return fastest;
-    }
-
-    template <int dim>
-    Pack::mask_type
-    holds_open_void(const State<dim> &state, Index first)
-    {
-      const Pack volume = load(state.volume, first);
-      Pack       occupied(0.);
-      for (const MaterialState &material : state.material)
-        occupied += load(material.volume, first);
-      return volume - occupied > closure::closed_share * volume;
-    }
-
-    template <int dim>
-    Pack::mask_type
-    holds_material(const State<dim> &state, Index first)
-    {
-      Pack mass(0.);
-      for (const MaterialState &material : state.material)
-        mass += load(material.mass, first);
-      return mass > 0.;
+      const Pack filled = occupied / volume;
+      // compressed_share() under pressure, or once the void has closed, takes no more than this
+      const Pack share = closure::compressed_share(filled, Pack(1e-300), Pack::mask_type(true));
+      return {any, fastest, select(1. - filled > closure::closed_share, max(share, Pack(0.)), Pack(1.))};
     }
 
     template <Symmetry symmetry, int dim>
     TimeStepLimit
-    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+                       const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                        const StepWork<dim> &work)
     {
       TimeStepLimit limit{unlimited, "sound", none};
       for (Index first = 0; first < mesh.n_owned; first += pack_size)
         {
-          const Pack c2 = fastest_wave_squared(state, work, first);
+          const Content held = content(state, work, first);
           // cold gas has no sound, but it too must not be squeezed through itself
-          const auto there = holds_material(state, first) && lanes_below(first, mesh.n_owned);
+          const auto there = held.felt && lanes_below(first, mesh.n_owned);
           if (none_of(there))
             continue;
-          const geometry::QuadOf<Pack> x          = gather_corners(mesh, state.position, first);
-          const geometry::QuadOf<Pack> v          = gather_corners(mesh, state.velocity, first);
-          const auto                   gradient   = velocity_gradient(geometry::volume_gradient<symmetry>(x),
-                                                                      geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
-          const Pack                   divergence = gradient.divergence(), extent = smallest_extent(x), c = sqrt(c2);
+          const geometry::QuadOf<Pack> x        = gather_corners(mesh, state.position, first);
+          const geometry::QuadOf<Pack> v        = gather_corners(mesh, velocity, first);
+          const auto                   gradient = velocity_gradient(geometry::volume_gradient<symmetry>(x),
+                                                                    geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
+          const Pack divergence = gradient.divergence(), extent = smallest_extent(x), c2 = held.wave, c = sqrt(c2);
 
           Pack jump(0.);
           for (int d = 0; d < dim; ++d)
@@ -97,11 +94,11 @@ namespace whipple
               const auto along = viscosity::stretch(d, x, v);
               jump += max(-along.rate * along.length, Pack(0.));
             }
-          jump = max(jump, viscosity::thin_jump(x, v));
-          // a cell with open void has no viscosity (corner_forces.cc)
-          const Pack damping =
-              select(divergence < 0. && jump > 0. && !holds_open_void(state, first),
-                     Pack(2. * parameters.quadratic_viscosity * jump + parameters.linear_viscosity * c), Pack(0.));
+          jump               = max(jump, viscosity::thin_jump(x, v));
+          const Pack damping = select(
+              divergence < 0. && jump > 0.,
+              Pack(held.pressed * (2. * parameters.quadratic_viscosity * jump + parameters.linear_viscosity * c)),
+              Pack(0.));
           const Pack crossing  = parameters.courant * extent / (damping + sqrt(damping * damping + c2));
           const Pack straining = parameters.max_volume_change / abs(divergence);
           const Pack dt        = select(there, Pack(min(crossing, straining)), Pack(unlimited));
@@ -121,14 +118,16 @@ namespace whipple
 
   template <int dim>
   TimeStepLimit
-  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+                 const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                  const StepWork<dim> &work)
   {
     if (mesh.symmetry == Symmetry::planar)
-      return smallest_time_step<Symmetry::planar>(mesh, state, parameters, work);
-    return smallest_time_step<Symmetry::axisymmetric>(mesh, state, parameters, work);
+      return smallest_time_step<Symmetry::planar, dim>(mesh, state, velocity, parameters, work);
+    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, velocity, parameters, work);
   }
 
   template TimeStepLimit
-  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const HydroParameters &, const StepWork<2> &);
+  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const std::array<std::vector<double>, 2> &,
+                    const HydroParameters &, const StepWork<2> &);
 } // namespace whipple

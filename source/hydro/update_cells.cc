@@ -5,6 +5,7 @@
 #include <whipple/hydro/closure.h>
 #include <whipple/hydro/hourglass.h>
 #include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/trace.h>
 #include <whipple/hydro/velocity_gradient.h>
 
 #include <sstream>
@@ -17,23 +18,26 @@ namespace whipple::cell_kernels
     struct Filling
     {
       Pack            materials; ///< number of materials in the cell
-      Pack::mask_type mixed;     ///< several materials, or open void
+      Pack::mask_type mixed;     ///< several materials, a trace, or open void
     };
 
     template <int dim>
     Filling
-    filling(const State<dim> &state, Index first)
+    filling(const State<dim> &state, const StepWork<dim> &work, Index first)
     {
       const Pack volume = load(state.volume, first);
       Pack       occupied(0.), materials(0.);
-      for (const MaterialState &material : state.material)
+      auto       traces = volume < 0.;
+      for (std::size_t m = 0; m < state.material.size(); ++m)
         {
-          const Pack v = load(material.volume, first);
+          const MaterialState &material = state.material[m];
+          const Pack           v        = load(material.volume, first);
           occupied += v;
           materials += select(v > 0., Pack(1.), Pack(0.));
+          traces = traces || (v > 0. && !trace::has_state(material, work.material[m], volume, first));
         }
       const auto open = volume - occupied > closure::closed_share * volume;
-      return {materials, (materials > 0. && open) || materials > 1.};
+      return {materials, (materials > 0. && open) || materials > 1. || traces};
     }
 
     /// (1 - phi) times the least principal deviator: what is left of the pressure at a free surface, Mbar.
@@ -50,6 +54,27 @@ namespace whipple::cell_kernels
                                                       material.fields[state.index.stress_01].value[cell]});
     }
 
+    /// Next volumes of the traces of a cell: beside other material they lie at their normal density; alone they do not
+    /// expand, what the cell grows is void. @returns their sum, cm^3
+    template <int dim>
+    double
+    place_traces(const State<dim> &state, Index cell, bool beside_others, StepWork<dim> &work)
+    {
+      double sum = 0;
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        {
+          const MaterialState &material = state.material[m];
+          MaterialWork        &next     = work.material[m];
+          if (!(material.volume[cell] > 0) || trace::has_state(material, next, state.volume[cell], cell))
+            continue;
+          next.volume[cell] = beside_others
+                                  ? material.mass[cell] / next.normal_density
+                                  : material.volume[cell] * std::min(1., work.volume[cell] / state.volume[cell]);
+          sum += next.volume[cell];
+        }
+      return sum;
+    }
+
     /// Closure of one mixed cell into work.material[].volume.
     template <int dim>
     void
@@ -57,18 +82,22 @@ namespace whipple::cell_kernels
                  std::vector<double> &result)
     {
       part.clear();
-      for (const MaterialState &material : state.material)
-        if (material.volume[cell] > 0)
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        if (const MaterialState &material = state.material[m];
+            trace::has_state(material, work.material[m], state.volume[cell], cell))
           {
             const double c = material.sound_speed[cell];
             part.push_back({material.volume[cell], material.density[cell] * c * c, material.pressure[cell],
                             loose_pressure(state, material, work, cell)});
           }
+      const double traces = place_traces(state, cell, !part.empty(), work);
+      if (part.empty())
+        return;
       result.resize(part.size());
-      closure::share_volume(state.volume[cell], work.volume[cell], part, result);
+      closure::share_volume(state.volume[cell] - traces, work.volume[cell] - traces, part, result);
       std::size_t i = 0;
       for (std::size_t m = 0; m < state.material.size(); ++m)
-        if (state.material[m].volume[cell] > 0)
+        if (trace::has_state(state.material[m], work.material[m], state.volume[cell], cell))
           work.material[m].volume[cell] = result[i++];
     }
 
@@ -92,6 +121,27 @@ namespace whipple::cell_kernels
           text << " (" << state.position[0][node] << ", " << state.position[1][node] << ") -> ("
                << work.position[0][node] << ", " << work.position[1][node] << ")";
         }
+      throw StateError(text.str());
+    }
+
+    /// Relative change of volume in one step beyond which the step was not short enough, whatever the time step
+    /// promised: it is taken from velocities that the step itself changes.
+    constexpr double largest_change = 0.5;
+
+    /// Complain about the first owned cell of a pack that has changed too much.
+    template <int dim>
+    [[noreturn]] void
+    throw_strained(const FlatMesh<dim> &mesh, const State<dim> &state, const Pack &next, Index first,
+                   const StepWork<dim> &work)
+    {
+      Index cell = first;
+      while (cell + 1 < mesh.n_owned && !(work.mass[cell] > 0 && std::abs(next[cell - first] - state.volume[cell]) >
+                                                                     largest_change * state.volume[cell]))
+        ++cell;
+      std::ostringstream text;
+      text << "Lagrange step changes the volume of the cell at (" << state.position[0][mesh.cell_node[4 * cell]] << ", "
+           << state.position[1][mesh.cell_node[4 * cell]] << ") cm by the factor "
+           << next[cell - first] / state.volume[cell] << ": the step is too long";
       throw StateError(text.str());
     }
 
@@ -158,9 +208,10 @@ namespace whipple::cell_kernels
           const Pack next_volume = load(next.volume, first);
           Pack       specific    = gain / mass;
           if (any_of(shared))
-            specific =
-                select(shared, Pack(rest / cell_mass - load(next.half_pressure, first) * (next_volume - volume) / mass),
-                       specific);
+            specific = select(shared,
+                              Pack(select(cell_mass > 0., Pack(rest / cell_mass), Pack(0.)) -
+                                   load(next.half_pressure, first) * (next_volume - volume) / mass),
+                              specific);
           store(select(there && next_volume > 0., Pack(load(old.density, first) * (volume / next_volume)), Pack(0.)),
                 next.density, first);
           store(select(there, Pack(energy + specific), Pack(0.)), next.energy, first);
@@ -230,13 +281,16 @@ namespace whipple::cell_kernels
           const auto                   positive = next > 0. && half.volume > 0.;
           if (any_of(owned && !positive))
             throw_inverted(mesh, state, half.volume, next, first, work);
+          const Pack start = load(state.volume, first);
+          if (any_of(owned && load(work.mass, first) > 0. && abs(next - start) > largest_change * start))
+            throw_strained(mesh, state, next, first, work);
 
           const geometry::QuadOf<Pack> force = load_forces(first, work);
           Pack                         power(0.);
           for (int k = 0; k < 4; ++k)
             power += force[0][k] * v[0][k] + force[1][k] * v[1][k];
 
-          const Filling fill = filling(state, first);
+          const Filling fill = filling(state, work, first);
           update_volumes(state, fill, next, first, work, part, result);
           update_energies(state, fill, Pack(-dt * power), first, work);
 

@@ -60,15 +60,33 @@ namespace whipple
         if (row[i].name != columns_[i])
           throw Error("statistics: value '" + std::string(row[i].name) + "' in column '" + columns_[i] + "'");
         if (i > 0)
-          file_ << ',';
-        print(file_, row[i].value);
+          waiting_ << ',';
+        if (const double *number = std::get_if<double>(&row[i].value))
+          print(waiting_, *number);
+        else
+          waiting_ << std::get<std::string_view>(row[i].value);
       }
-    file_ << '\n';
+    waiting_ << '\n';
+  }
+
+  void
+  Statistics::keep()
+  {
+    if (active_)
+      file_ << waiting_.str();
+    forget();
+  }
+
+  void
+  Statistics::forget()
+  {
+    waiting_.str({});
   }
 
   void
   Statistics::flush()
   {
+    keep();
     if (active_)
       file_.flush();
   }

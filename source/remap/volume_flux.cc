@@ -13,9 +13,12 @@ namespace whipple
     /// A cell this full of one material has no interface worth reconstructing.
     constexpr double full_fraction = 1. - 1e-12;
 
-    /// A face that sweeps less than this share of the donor moves nothing: it is round-off, and what it would put into
-    /// an empty cell could be too little to divide by.
+    /// A face that sweeps less than this share of the donor moves nothing: it is round-off.
     constexpr double least_share = 1e-15;
+
+    /// Less of a material than this share of the donor's volume stays there, unless the receiver has some: a crumb that
+    /// would begin a state in a cell of its own (doc/theory/traces.md).
+    constexpr double least_entry = 1e-10;
 
     /// A crumb that fills less than this share of its cell stays there: handed on it would shrink to nothing.
     constexpr double least_held = 1e-30;
@@ -65,6 +68,17 @@ namespace whipple
         text << (d ? ", " : "") << mesh.lower[d][cell];
       text << ") cm";
       return text.str();
+    }
+  } // namespace
+
+  namespace
+  {
+    /// Whether a material would begin a state in a cell that has none of it.
+    template <int dim>
+    bool
+    begins(const State<dim> &state, const Index receiver, const Index m)
+    {
+      return receiver != none && state.material[m].volume[receiver] == 0;
     }
   } // namespace
 
@@ -138,8 +152,10 @@ namespace whipple
                              : reconstruction_.filled_share(state, content_[cell], cell, m, box.lower, box.upper);
             if (up_to_here > filled)
               {
-                flux[m][f] = moved * (up_to_here - filled);
-                filled     = up_to_here;
+                const double part = up_to_here - filled;
+                filled            = up_to_here;
+                if (part * share > least_entry || !begins(state, faces.cell[upper_side ? 1 : 0][f], m))
+                  flux[m][f] = moved * part;
               }
           }
       }
@@ -156,6 +172,21 @@ namespace whipple
       for (int s = 0; s < 2; ++s)
         sum += std::max(-flux[topology.lower[s][c]], 0.) + std::max(flux[topology.upper[s][c]], 0.);
       return sum;
+    }
+
+    /// The second largest of what leaves a cell through its (sub)faces; that of the first of equal ones is larger.
+    template <int dim>
+    double
+    second_largest_outflow(const SweepTopology<dim> &topology, const Index c, const std::vector<double> &flux)
+    {
+      double largest = 0, second = 0;
+      for (int s = 0; s < 2; ++s)
+        for (const double out : {-flux[topology.lower[s][c]], flux[topology.upper[s][c]]})
+          {
+            second  = std::max(second, std::min(out, largest));
+            largest = std::max(largest, out);
+          }
+      return second < largest ? second : 0.;
     }
 
     /// Nothing leaves a cell where no more than `least` would.
@@ -198,7 +229,10 @@ namespace whipple
               drop_outflow(topology, c, given, flux[m]);
               continue;
             }
-          drop_outflow(topology, c, least_share * given, flux[m]);
+          // a crumb goes as a whole: shared out again and again it would shrink to nothing
+          const double least =
+              held < least_entry * state.volume[c] ? second_largest_outflow(topology, c, flux[m]) : least_share * given;
+          drop_outflow(topology, c, least, flux[m]);
           const double scale = held / outflow(topology, c, flux[m]);
           for (int s = 0; s < 2; ++s)
             {
@@ -257,7 +291,11 @@ namespace whipple
             !(std::abs(moved) > least_share * state.volume[donor]))
           continue;
         if (content <= first_full)
-          flux[first_full - content][f] = moved;
+          {
+            const Index m = first_full - content;
+            if (std::abs(moved) > least_entry * state.volume[donor] || !begins(state, faces.cell[1 - side][f], m))
+              flux[m][f] = moved;
+          }
         else
           mixed_faces_.push_back(f);
         if (donor >= mesh_->n_owned)

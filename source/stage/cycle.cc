@@ -3,6 +3,7 @@
 #include <whipple/stage/cycle.h>
 #include <whipple/stage/domain.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace whipple
@@ -64,18 +65,20 @@ namespace whipple
     const int rank = least.rank;
     MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
 
-    char text[2][64] = {"", ""};
+    struct
+    {
+      char   reason[64];
+      double place[2];
+    } news{"", {std::nan(""), std::nan("")}};
     if (rank == least.rank)
       {
-        std::snprintf(text[0], sizeof text[0], "%s", limit.reason.c_str());
+        std::snprintf(news.reason, sizeof news.reason, "%s", limit.reason.c_str());
         if (limit.cell != none)
-          {
-            const Index n = mesh_.cell_node[limit.cell * FlatMesh<dim>::corners];
-            std::snprintf(text[1], sizeof text[1], "%.4f, %.4f cm", state.position[0][n], state.position[1][n]);
-          }
+          for (int d = 0; d < dim; ++d)
+            news.place[d] = state.position[d][mesh_.cell_node[limit.cell * FlatMesh<dim>::corners]];
       }
-    MPI_Bcast(text, sizeof text, MPI_CHAR, least.rank, communicator);
-    return {least.dt, text[0], text[1]};
+    MPI_Bcast(&news, sizeof news, MPI_BYTE, least.rank, communicator);
+    return {least.dt, news.reason, {{news.place[0], news.place[1]}}};
   }
 
   template <int dim>

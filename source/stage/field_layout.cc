@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
+#include <whipple/hydro/trace.h>
 #include <whipple/stage/field_layout.h>
 
 namespace whipple
 {
+  namespace
+  {
+    /// Bulk density up to which a material is a trace: a small share of the least at which it is normally there.
+    template <int dim>
+    double
+    trace_density(const Scene<dim> &scene, std::size_t material)
+    {
+      double least = scene.materials[material].model.eos->reference_density();
+      for (const Body<dim> &body : scene.bodies)
+        if (body.material == material && body.density > 0)
+          least = std::min(least, body.density);
+      return trace::share * least;
+    }
+  } // namespace
+
   template <int dim>
   FieldLayout::FieldLayout(const Scene<dim> &scene)
   {
@@ -20,6 +36,9 @@ namespace whipple
     index.stress_01      = field_index(fields, "deviatoric stress 01");
     index.plastic_strain = field_index(fields, "plastic strain");
     index.damage         = field_index(fields, "damage");
+
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      materials[m].trace_density = trace_density(scene, m);
 
     std::vector<int> bodies_of_material(materials.size(), 0);
     for (const Body<dim> &body : scene.bodies)

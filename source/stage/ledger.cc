@@ -61,12 +61,29 @@ namespace whipple
   }
 
   template <int dim>
+  ConservedTotals<dim>
+  Ledger<dim>::gone() const
+  {
+    ConservedTotals<dim> sum = left_;
+    for (const auto &[reason, amounts] : dropped_)
+      sum += amounts;
+    return sum;
+  }
+
+  template <int dim>
+  double
+  Ledger<dim>::energy_scale() const
+  {
+    // pistons bring in more than bodies at rest
+    return std::max(
+        {introduced_.kinetic_energy, std::abs(introduced_.internal_energy), std::abs(gone().total_energy())});
+  }
+
+  template <int dim>
   typename Ledger<dim>::Closure
   Ledger<dim>::imbalance(const ConservedTotals<dim> &present) const
   {
-    ConservedTotals<dim> gone = left_;
-    for (const auto &[reason, amounts] : dropped_)
-      gone += amounts;
+    const ConservedTotals<dim> gone = this->gone();
     const auto relative = [](double difference, double scale) { return scale > 0 ? difference / scale : difference; };
     Closure    result;
     result.mass = relative(present.mass + gone.mass - introduced_.mass, introduced_.mass);
@@ -75,9 +92,7 @@ namespace whipple
         std::max(momentum_scale_, std::sqrt(2. * introduced_.mass * introduced_.total_energy()));
     result.axial_momentum =
         relative(present.momentum[axial] + gone.momentum[axial] - introduced_.momentum[axial], momentum_scale);
-    result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(),
-                             std::max({introduced_.kinetic_energy, std::abs(introduced_.internal_energy),
-                                       std::abs(gone.total_energy())})); // pistons bring in more than bodies at rest
+    result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(), energy_scale());
     return result;
   }
 

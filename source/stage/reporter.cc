@@ -112,7 +112,7 @@ namespace whipple
           return found == ledger.conversions().end() ? 0. : found->second;
         };
         const auto                            closure = ledger.closure(present);
-        const std::array<StatisticsEntry, 17> row{{{"time [us]", time},
+        const std::array<StatisticsEntry, 20> row{{{"time [us]", time},
                                                    {"stage", news.stage_number + 1.},
                                                    {"step", static_cast<double>(news.step)},
                                                    {"time step [us]", news.dt},
@@ -128,7 +128,10 @@ namespace whipple
                                                    {"remap loss [Mbar cm^3]", converted("remap")},
                                                    {"mass closure", closure.mass},
                                                    {"axial momentum closure", closure.axial_momentum},
-                                                   {"energy closure", closure.energy}}};
+                                                   {"energy closure", closure.energy},
+                                                   {"time step set by", std::string_view(news.limit->reason)},
+                                                   {"set at axis 0 [cm]", news.limit->place[0]},
+                                                   {"set at axis 1 [cm]", news.limit->place[1]}}};
         statistics_.write(row);
         next_statistics_ = time + scene_.output.statistics_interval;
       }
@@ -137,6 +140,14 @@ namespace whipple
         write_fields(*news.stage, domain);
         next_fields_ += *scene_.output.fields_interval;
       }
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::steps_undone(double time)
+  {
+    statistics_.forget();
+    next_statistics_ = std::min(next_statistics_, time);
   }
 
   template <int dim>

@@ -17,10 +17,10 @@ namespace whipple
     /// 1e5 cells.
     constexpr double round_off = 1e-12;
 
-    /// Steps between snapshots, times a failed step is tried again from the last one, and the factor on the time
-    /// step then.
+    /// Steps between snapshots, times a failed step is tried again, and the largest part of the time step that failed
+    /// that is tried then.
     constexpr int    snapshot_steps = 10;
-    constexpr int    most_retries   = 3;
+    constexpr int    most_retries   = 5;
     constexpr double retry_factor   = 0.5;
 
     /// Part of the active cells that coarsening must save to be worth a regrid of its own.
@@ -37,6 +37,7 @@ namespace whipple
     , number_(number)
     , reporter_(reporter)
     , record_(record)
+    , state_guard_(scene, layout)
     , wall_start_(MPI_Wtime())
   {
   }
@@ -143,7 +144,7 @@ namespace whipple
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
-    double     dt    = caution_ * limit_.dt;
+    double     dt    = limit_.dt;
     const auto lower = [&](double bound, const char *reason) {
       if (bound < dt)
         {
@@ -155,10 +156,12 @@ namespace whipple
     if (last_dt_ > 0)
       lower(scene_.numerics.growth_limit * last_dt_, "growth");
     lower(stage_.max_time_step, "scene");
+    lower(ceiling_, "retry");
     last_dt_ = dt;
     // two equal steps rather than a full one and a splinter
     if (left < 2. * dt)
       lower(left <= dt ? left : 0.5 * left, "end of stage");
+    tried_dt_ = dt;
     return dt;
   }
 
@@ -184,8 +187,11 @@ namespace whipple
     cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     ledger.check(present, "a step", round_off);
+    if ((record_.steps + 1) % snapshot_steps == 0)
+      state_guard_.check(domain, ledger.energy_scale(), ledger);
 
     ++record_.steps;
+    history_.add(last_dt_);
     ++since_regrid_;
     ++record_.dt_limits[limit_.reason];
     record_.cell_steps += cells_;
@@ -197,10 +203,16 @@ namespace whipple
   void
   StageLoop<dim>::go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error)
   {
-    domain.state      = snapshot_.state;
-    ledger            = snapshot_.ledger;
+    // every retry is really smaller than what failed, until the time has passed at which it did
+    ceiling_      = retry_factor * tried_dt_;
+    failed_until_ = domain.state.time + tried_dt_;
+    domain.state  = snapshot_.state;
+    ledger        = snapshot_.ledger;
+    record_.cell_steps -= static_cast<double>(cells_) * (record_.steps - snapshot_.step);
+    history_.forget(record_.steps - snapshot_.step);
     record_.steps     = snapshot_.step;
     record_.dt_limits = snapshot_.dt_limits;
+    reporter_.steps_undone(domain.state.time);
     if (retries_ == most_retries)
       {
         close_record(domain);
@@ -208,7 +220,6 @@ namespace whipple
       }
     ++retries_;
     ++counts.retries;
-    caution_ *= retry_factor;
     reporter_.log().warning("gone back to step " + std::to_string(snapshot_.step) +
                             " for a smaller time step: " + error.what());
   }
@@ -217,12 +228,13 @@ namespace whipple
   void
   StageLoop<dim>::take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger)
   {
-    if (record_.steps > snapshot_.step)
+    if (domain.state.time >= failed_until_)
       {
         retries_ = 0;
-        caution_ = 1;
+        ceiling_ = std::numeric_limits<double>::infinity();
       }
     snapshot_ = {domain.state, ledger, record_.steps, record_.dt_limits};
+    reporter_.steps_stand();
   }
 
   template <int dim>
@@ -235,6 +247,22 @@ namespace whipple
     MPI_Comm_size(domain.communicator(), &ranks);
     if (record_.wall_s > 0)
       record_.cell_steps_per_s_per_rank = record_.cell_steps / record_.wall_s / ranks;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::stop_if_collapsed(const Domain<dim> &domain)
+  {
+    const auto collapse = history_.collapse();
+    if (!collapse)
+      return;
+    close_record(domain);
+    throw StateError("stage '" + stage_.name + "' at " + std::to_string(domain.state.time) + " us: " + *collapse +
+                     ", set by " + limit_.reason +
+                     (std::isnan(limit_.place[0]) ? ""
+                                                  : " at (" + std::to_string(limit_.place[0]) + ", " +
+                                                        std::to_string(limit_.place[1]) + ") cm") +
+                     ". Look at the fields there; a void law, coarser cells, or an earlier end of the stage may help");
   }
 
   template <int dim>
@@ -256,7 +284,7 @@ namespace whipple
     reporter_.stage_begins(stage_, number_, domain);
     take_snapshot(domain, ledger);
 
-    for (double left; (left = time_left(domain)) > 0;)
+    for (double left; (left = time_left(domain)) > 0; stop_if_collapsed(domain))
       {
         try
           {

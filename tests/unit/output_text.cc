@@ -49,9 +49,9 @@ namespace
 
   TEST_F(OutputText, StatisticsRowsReadBackExactly)
   {
-    const std::array<StatisticsEntry, 3> first{{{"time [us]", 0.1 + 0.2}, {"mass [g]", 1e-300}, {"steps", 7}}};
-    const std::array<StatisticsEntry, 3> second{{{"time [us]", 1. / 3.}, {"mass [g]", NAN}, {"steps", 8}}};
-    const std::array<StatisticsEntry, 3> renamed{{{"time [s]", 0}, {"mass [g]", 0}, {"steps", 0}}};
+    const std::array<StatisticsEntry, 3> first{{{"time [us]", 0.1 + 0.2}, {"mass [g]", 1e-300}, {"steps", 7.}}};
+    const std::array<StatisticsEntry, 3> second{{{"time [us]", 1. / 3.}, {"mass [g]", NAN}, {"steps", 8.}}};
+    const std::array<StatisticsEntry, 3> renamed{{{"time [s]", 0.}, {"mass [g]", 0.}, {"steps", 0.}}};
     Statistics                           statistics(directory.string(), MPI_COMM_SELF);
     statistics.write(first);
     statistics.write(second);

@@ -22,7 +22,7 @@ namespace whipple::material_passes
   make_scratch(const std::vector<Material> &materials, Index n_cells);
 
   /// Bulk pressure (1 - phi) P_s(gamma, e), Mbar, and frozen sound speed, cm/us, of every material in every cell (0
-  /// where there is no mass). Where the equation of state gives c^2 < 0 the speed is 0.
+  /// where there is none, or a trace). Where the equation of state gives c^2 < 0 the speed is 0.
   template <int dim>
   void
   evaluate_pressure(const std::vector<Material> &materials, State<dim> &state, Scratch &scratch);
@@ -41,4 +41,11 @@ namespace whipple::material_passes
   void
   advance_voids(const std::vector<Material> &materials, const State<dim> &state, double dt, Scratch &scratch,
                 StepWork<dim> &work);
+
+  /// Whether every law can go on from the next densities and void fractions.
+  /// @throws StateError naming material, place, densities and law if an owned cell would reach the law's pole.
+  template <int dim>
+  void
+  check_densities(const FlatMesh<dim> &mesh, const std::vector<Material> &materials, const State<dim> &state,
+                  const StepWork<dim> &work);
 } // namespace whipple::material_passes

@@ -30,6 +30,17 @@ namespace whipple
     void
     predict(const State<dim> &state, double dt, StepWork<dim> &work) const;
 
+    /// Whether a side gives nodes a velocity that they need not have yet.
+    bool
+    drives_nodes() const
+    {
+      return drives_nodes_;
+    }
+
+    /// Put the velocity that the sides give their nodes now in place of the one they have.
+    void
+    drive(const State<dim> &state, std::array<std::vector<double>, dim> &velocity) const;
+
     /// Force of sides on their nodes into the object's own array, on the material that touches them.
     /// Sides with a pressure p: -p n per unit area. Absorbing (Lysmer) sides: -rho c v_n and, with
     /// strength, -rho c_s v_t per unit area, but no more than the force of the cell on that face
@@ -81,8 +92,9 @@ namespace whipple
     const Boundaries<dim>                boundaries_;
     std::vector<LoadedFace>              loaded_;
     std::vector<ConstrainedNode>         constrained_;
-    std::vector<Index>                   traction_node_; ///< nodes of loaded faces, in ascending order
-    std::array<std::vector<double>, dim> traction_;      ///< [n_nodes] Mbar cm^2; empty without loaded faces
-    std::vector<std::uint8_t>            node_owned_;    ///< first corner belongs to an owned cell
+    std::vector<Index>                   traction_node_;        ///< nodes of loaded faces, in ascending order
+    std::array<std::vector<double>, dim> traction_;             ///< [n_nodes] Mbar cm^2; empty without loaded faces
+    std::vector<std::uint8_t>            node_owned_;           ///< first corner belongs to an owned cell
+    bool                                 drives_nodes_ = false; ///< a side is `inflow` or `exact`
   };
 } // namespace whipple

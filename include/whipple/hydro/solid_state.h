@@ -21,6 +21,23 @@ namespace whipple::solid_state
         result[c] = density[c] > 0 ? density[c] / (1. - void_fraction[c]) : reference;
   }
 
+  /// Matter without a void law cannot open pores, but it parts all the same where it is stretched beyond what any bond
+  /// bears: its tension fades between 0.85 and 0.7 of the reference density, P -> P S((gamma/gamma0 - 0.7) / 0.15), S =
+  /// 3 x^2 - 2 x^3. Without that a thin tail of a metal pulls with some 0.3 Mbar (doc/theory/voids.md).
+  inline void
+  part_in_tension(const std::vector<double> &density, double reference, std::vector<double> &pressure)
+  {
+    constexpr double  parted = 0.7, width = 0.15;
+    const double      scale = 1. / (width * reference);
+    const std::size_t n     = pressure.size();
+    for (std::size_t c = 0; c < n; ++c)
+      {
+        const double x = (density[c] - parted * reference) * scale, y = x < 0. ? 0. : x > 1. ? 1. : x;
+        const double kept = y * y * (3. - 2. * y);
+        pressure[c] *= pressure[c] < 0. ? kept : 1.;
+      }
+  }
+
   /// P_s = P / (1 - phi), Mbar.
   inline void
   pressure(const std::vector<double> &bulk, const std::vector<double> &void_fraction, std::vector<double> &result)

@@ -31,9 +31,11 @@ namespace whipple
     std::vector<double>                solid_pressure; ///< P_s, Mbar; empty unless the strength model asks for it
     std::vector<double>                half_pressure;  ///< P at half step, Mbar; empty if there is one material
     std::vector<double>                volume, density, energy;
-    std::vector<double>                void_fraction;        ///< empty without void law
-    bool                               pores_resist = false; ///< VoidLaw::pores_resist()
-    std::array<std::vector<double>, 3> stress;               ///< s_00, s_11, s_01; empty without strength
+    std::vector<double>                void_fraction;          ///< empty without void law
+    bool                               pores_resist   = false; ///< VoidLaw::pores_resist()
+    double                             trace_density  = 0;     ///< Material::trace_density, g/cm^3
+    double                             normal_density = 0;     ///< at which a trace beside others lies, g/cm^3
+    std::array<std::vector<double>, 3> stress;                 ///< s_00, s_11, s_01; empty without strength
     std::vector<double>                plastic_strain;
   };
 
@@ -57,7 +59,7 @@ namespace whipple
 
     std::array<std::vector<double>, dim> stretch_rate; ///< [n_cells + 1] along the logical axes, 1/us
     std::vector<Neighbours>              neighbours;   ///< [n_cells]; empty if no cell has any
-    std::vector<double>                  mass;         ///< [n_cells] all materials, g
+    std::vector<double>                  mass;         ///< [n_cells] all materials, g; 0 where all are traces
     std::vector<double> strain_rate; ///< [n_cells] equivalent rate of the deviatoric motion, 1/us; empty unless a
                                      ///< strength model asks for it
     std::vector<double>       corner_force; ///< [(n_cells * corners + k) * dim + axis] Mbar cm^2

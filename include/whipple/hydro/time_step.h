@@ -16,11 +16,14 @@ namespace whipple
     Index       cell = none; ///< the cell that set it
   };
 
-  /// Smallest over owned cells with material of courant L / (d + sqrt(d^2 + c^2)) and
-  /// max_volume_change / |div v|; d = 2 c2 |du| + c1 c in compression.
+  /// Smallest over owned cells with material that is no trace of courant L / (d + sqrt(d^2 + c^2)) and
+  /// max_volume_change / |div v|; d = 2 c2 |du| + c1 c in compression, scaled with the part of it that the materials
+  /// take beside open void; c^2 = max(c_bulk^2, |P| / rho) + 4/3 G / rho.
+  /// @param velocity of the nodes, those that sides prescribe already as the sides have it
   /// @param work shear moduli up to date
   template <int dim>
   TimeStepLimit
-  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+                 const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                  const StepWork<dim> &work);
 } // namespace whipple

@@ -27,6 +27,9 @@ namespace whipple
     std::shared_ptr<const FragmentModel>   fragments;  ///< null: no fragment sizes
     std::shared_ptr<const ConductionLaw>   conduction; ///< null: adiabatic
     bool isothermal = false; ///< eos is an IsothermalEquationOfState: P_s(gamma, 0) as in 1993; work is still booked
-    bool melts      = false; ///< voids open without a threshold where it is molten (thermal is there)
+    /// Bulk density of a cell, g/cm^3, up to which what it holds of this material has no state of its own
+    /// (doc/theory/traces.md).
+    double trace_density = 0;
+    bool   melts         = false; ///< voids open without a threshold where it is molten (thermal is there)
   };
 } // namespace whipple

@@ -20,7 +20,7 @@ namespace whipple
   {
     double      dt; ///< us
     std::string reason;
-    std::string where; ///< position of the cell that set it
+    Vector<2>   place; ///< cm, lower corner of the cell that set it; not numbers if no cell did
   };
 
   /// One ALE cycle on one flat mesh: Lagrange step with its effects, then, if the target mesh is the fixed

@@ -74,6 +74,11 @@ namespace whipple
     Closure
     closure(const ConservedTotals<dim> &present) const;
 
+    /// What energies of the problem are to be measured by: the largest of the kinetic and internal energy introduced
+    /// and of what has gone, Mbar cm^3.
+    double
+    energy_scale() const;
+
     const ConservedTotals<dim> &
     introduced() const
     {
@@ -101,6 +106,10 @@ namespace whipple
     }
 
   private:
+    /// What has left or was dropped.
+    ConservedTotals<dim>
+    gone() const;
+
     /// present - (introduced - left - dropped), relative to scale.
     Closure
     imbalance(const ConservedTotals<dim> &present) const;

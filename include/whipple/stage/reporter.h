@@ -67,6 +67,17 @@ namespace whipple
       statistics_.flush();
     }
 
+    /// The steps so far stand.
+    void
+    steps_stand()
+    {
+      statistics_.keep();
+    }
+
+    /// The steps since the last steps_stand() were undone: the time is `time` again.
+    void
+    steps_undone(double time);
+
   private:
     void
     write_fields(const Stage &stage, const Domain<dim> &domain);

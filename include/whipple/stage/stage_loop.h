@@ -5,6 +5,8 @@
 #include <whipple/stage/cycle.h>
 #include <whipple/stage/regridding.h>
 #include <whipple/stage/reporter.h>
+#include <whipple/stage/state_guard.h>
+#include <whipple/stage/time_step_history.h>
 
 #include <memory>
 
@@ -51,6 +53,9 @@ namespace whipple
     choose_time_step(const Domain<dim> &domain, double left);
     double
     time_left(const Domain<dim> &domain);
+    /// @throws StateError, after the record has been closed, if the time step has collapsed.
+    void
+    stop_if_collapsed(const Domain<dim> &domain);
     void
     close_record(const Domain<dim> &domain);
     void
@@ -72,13 +77,17 @@ namespace whipple
     std::vector<Index>          guard_;
     Snapshot                    snapshot_;
     AgreedTimeStep              limit_{};
+    StateGuard<dim>             state_guard_;
     double                      wall_start_;
-    double                      end_time_           = 0;  ///< us; of stages that end at a time
-    double                      last_dt_            = 0;  ///< us; 0 before the first step
-    double                      caution_            = 1;  ///< factor on the time step after a retry
-    long                        cells_              = 0;  ///< active cells of all ranks
-    long                        since_regrid_       = 0;  ///< steps since the mesh or its bonds were last looked at
-    double                      spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
-    int                         retries_            = 0;  ///< since the last snapshot
+    double                      end_time_ = 0; ///< us; of stages that end at a time
+    double                      last_dt_  = 0; ///< us; 0 before the first step
+    double                      tried_dt_ = 0; ///< us; the step being made
+    double                      ceiling_  = std::numeric_limits<double>::infinity(); ///< us; of retries
+    double          failed_until_ = -std::numeric_limits<double>::infinity(); ///< us; end of the step that failed
+    TimeStepHistory history_;
+    long            cells_              = 0;  ///< active cells of all ranks
+    long            since_regrid_       = 0;  ///< steps since the mesh or its bonds were last looked at
+    double          spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
+    int             retries_            = 0;  ///< of the same failure
   };
 } // namespace whipple

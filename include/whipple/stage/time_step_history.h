@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whipple
+{
+  /// The time steps of a stage, in order, so that a collapse is noticed: a run that goes on with steps a thousandth of
+  /// a thousandth of what they were never ends, and what makes them so small is wrong long before.
+  class TimeStepHistory
+  {
+  public:
+    /// A step was made. @param dt us; not one that was cut because the stage ends
+    void
+    add(double dt);
+
+    /// Steps go back by that many (a failed step was undone).
+    void
+    forget(std::size_t steps);
+
+    /// What has collapsed, if it has, in words with the numbers: the last 100 steps all below 1e-4 of the median of
+    /// those before them, or below 1e-6 of the largest of the first ten. Looks at every hundredth step.
+    std::optional<std::string>
+    collapse() const;
+
+  private:
+    static constexpr std::size_t window = 100;
+
+    std::vector<double> steps_; ///< us
+  };
+} // namespace whipple
