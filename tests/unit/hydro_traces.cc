@@ -63,7 +63,8 @@ namespace
     EXPECT_EQ(strip.state.material[0].pressure[10], 0.);
     EXPECT_EQ(step.time_step(strip.state).dt, normal);
     const Totals before = totals(strip.state);
-    run(step, strip.state, 0.02);
+    for (int i = 0; i < 5; ++i) // until its neighbours have squeezed it to a density that has a state
+      step.advance(strip.state, 0.02 * normal);
     EXPECT_EQ(strip.state.material[0].energy[10], 1e12);
     EXPECT_NEAR(totals(strip.state).energy, before.energy, 1e-13 * before.energy);
     // all of three times that mass has a state again
