@@ -94,19 +94,24 @@ namespace whipple
   }
 
   template <int dim>
-  double
+  AdvectionLimit
   DirectionalRemap<dim>::time_step(const State<dim> &state) const
   {
-    double rate = 0; // edges a microsecond
+    double rate    = 0; // edges a microsecond
+    Index  fastest = none;
     for (Index c = 0; c < mesh_->n_owned; ++c)
       {
         double speed = 0;
         for (int k = 0; k < FlatMesh<dim>::corners; ++k)
           for (int d = 0; d < dim; ++d)
             speed = std::max(speed, std::abs(state.velocity[d][mesh_->cell_node[FlatMesh<dim>::corners * c + k]]));
-        rate = std::max(rate, speed / mesh_->size[c]);
+        if (speed / mesh_->size[c] > rate)
+          {
+            rate    = speed / mesh_->size[c];
+            fastest = c;
+          }
       }
-    return rate > 0 ? parameters_.advection_limit / rate : std::numeric_limits<double>::infinity();
+    return {rate > 0 ? parameters_.advection_limit / rate : std::numeric_limits<double>::infinity(), fastest};
   }
 
   template <int dim>

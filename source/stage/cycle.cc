@@ -49,8 +49,8 @@ namespace whipple
   {
     TimeStepLimit limit = lagrange_.time_step(state);
     if (remap_)
-      if (const double dt = remap_->time_step(state); dt < limit.dt)
-        limit = {dt, "advection", none};
+      if (const AdvectionLimit own = remap_->time_step(state); own.dt < limit.dt)
+        limit = {own.dt, "advection", own.cell};
     for (const auto &pass : passes_)
       if (const TimeStepLimit own = pass->time_step(state); own.dt < limit.dt)
         limit = own;

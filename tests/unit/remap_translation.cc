@@ -105,7 +105,7 @@ namespace
     int                     step = 0;
     for (double time = 0; time < end; ++step)
       {
-        const double dt = std::min(remap.time_step(state), end - time);
+        const double dt = std::min(remap.time_step(state).dt, end - time);
         time            = end - time <= dt ? end : time + dt;
         // material that a step reaches moves rigidly: so do the empty nodes around it
         for (int d = 0; d < 2; ++d)

@@ -15,6 +15,13 @@
 
 namespace whipple
 {
+  /// The largest step of the remap and the cell that sets it.
+  struct AdvectionLimit
+  {
+    double dt;   ///< us
+    Index  cell; ///< none if nothing moves
+  };
+
   /// Remap of a moved state back to the undeformed mesh by directional sweeps over swept volumes
   /// (equations: doc/theory/remap.md). A step is
   ///
@@ -36,8 +43,8 @@ namespace whipple
     DirectionalRemap(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const RemapParameters &parameters);
 
     /// Largest step [us] for which no node moves more than advection_limit edges of a cell around it; over owned
-    /// cells that hold material. Infinity when nothing moves.
-    double
+    /// cells. Infinity when nothing moves.
+    AdvectionLimit
     time_step(const State<dim> &state) const;
 
     /// Swept volumes of every subface between state.position and the undeformed mesh.
