@@ -22,7 +22,9 @@ namespace whipple
   MomentumTransport<dim>::reconstruct(const State<dim> &state, const int axis, const Index node)
   {
     const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
-    if (p == node || q == node || !moves(state, p) || !moves(state, q))
+    if (p == node || q == node)
+      return reconstruct_at_plane(state, axis, node);
+    if (!moves(state, p) || !moves(state, q))
       return;
     const double up   = dual_.balance[node].up / state.node_mass[node],
                  down = dual_.balance[node].down / state.node_mass[node];
@@ -47,13 +49,9 @@ namespace whipple
   }
 
   template <int dim>
-  void
-  MomentumTransport<dim>::reconstruct_uneven(const State<dim> &state, const int axis, const Index node)
+  std::array<double, 2>
+  MomentumTransport<dim>::half_edges(const int axis, const Index node) const
   {
-    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
-    if (p == node || q == node || !moves(state, p) || !moves(state, q))
-      return;
-    // half the longest edge to either side: how far away the farthest face of what belongs to the node is
     std::array<double, 2> half{0., 0.};
     for (Index i = mesh_->node_corner_begin[node]; i < mesh_->node_corner_begin[node + 1]; ++i)
       {
@@ -63,7 +61,52 @@ namespace whipple
         double &longest = half[1 - (corner >> axis & 1)];
         longest         = std::max(longest, 0.5 * edge);
       }
-    const double x = mesh_->node_point[axis][node], below = x - mesh_->node_point[axis][p],
+    return half;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct_at_plane(const State<dim> &state, const int axis, const Index node)
+  {
+    const bool  lower  = nodes_.previous[axis][node] == node;
+    const Index inside = (lower ? nodes_.next : nodes_.previous)[axis][node];
+    const int   side   = 2 * axis + (lower ? 0 : 1);
+    if (inside == node || !(mesh_->node_side[node] >> side & 1) || boundaries_[side].kind != BoundaryKind::reflecting ||
+        !moves(state, inside))
+      return;
+    // the flow beyond is the mirror image: tangential velocities are extreme at the plane, the normal one is straight
+    // through it, and the whole node, of twice the mass, gives the same to either side
+    const int                   d        = normal_axis<dim>(boundaries_, side);
+    const double                share    = (dual_.balance[node].up + dual_.balance[node].down) / state.node_mass[node];
+    const std::array<double, 2> edges    = half_edges(axis, node);
+    const double                half     = std::max(edges[0], edges[1]);
+    const double                distance = mesh_->node_point[axis][inside] - mesh_->node_point[axis][node];
+    const double                v        = state.velocity[d][node];
+    const double                gradient =
+        (state.velocity[d][inside] - v) / std::copysign(std::max(std::abs(distance), half), distance);
+    const double swept = 0.5 * share * half, reach = nodes_.uneven[node] ? 0. : half;
+    if (nodes_.uneven[node])
+      {
+        if (!(share < 1))
+          return;
+        gradient_[d][node] = gradient;
+      }
+    up_[d][node]   = v + gradient * (reach - swept);
+    down_[d][node] = v - gradient * (reach - swept);
+    excess_[node]  = 0.5 * gradient * gradient * (half - swept) * (half - swept);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct_uneven(const State<dim> &state, const int axis, const Index node)
+  {
+    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
+    if (p == node || q == node)
+      return reconstruct_at_plane(state, axis, node);
+    if (!moves(state, p) || !moves(state, q))
+      return;
+    const std::array<double, 2> half = half_edges(axis, node);
+    const double                x = mesh_->node_point[axis][node], below = x - mesh_->node_point[axis][p],
                  above = mesh_->node_point[axis][q] - x;
     const double up    = dual_.balance[node].up / state.node_mass[node],
                  down = dual_.balance[node].down / state.node_mass[node], rest = 1. - up - down;
@@ -97,6 +140,10 @@ namespace whipple
   MomentumTransport<2>::moves(const State<2> &, Index) const;
   template void
   MomentumTransport<2>::reconstruct(const State<2> &, int, Index);
+  template std::array<double, 2>
+  MomentumTransport<2>::half_edges(int, Index) const;
+  template void
+  MomentumTransport<2>::reconstruct_at_plane(const State<2> &, int, Index);
   template void
   MomentumTransport<2>::reconstruct_uneven(const State<2> &, int, Index);
 } // namespace whipple

@@ -69,7 +69,12 @@ namespace whipple
             Exchange exchange;
             gather_drained(state, axis, n, given, exchange);
             for (int d = 0; d < dim; ++d)
-              mixed_[i][d] = given[d] + exchange.momentum[d] / exchange.inflow;
+              {
+                const int s = ruling_side<dim>(boundaries_, mesh_->node_side[n], d);
+                // what flows in from beyond a symmetry plane brings the opposite normal momentum
+                const bool mirrored = s != none && boundaries_[s].kind == BoundaryKind::reflecting;
+                mixed_[i][d]        = mirrored ? 0. : given[d] + exchange.momentum[d] / exchange.inflow;
+              }
           }
         for (std::size_t i = 0; i < drained_.size(); ++i)
           for (int d = 0; d < dim; ++d)

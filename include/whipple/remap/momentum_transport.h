@@ -63,6 +63,14 @@ namespace whipple
     void
     reconstruct_uneven(const State<dim> &state, int axis, Index node);
 
+    /// The same where a line of nodes ends: as if the mirror image lay beyond a reflecting side, else without a slope.
+    void
+    reconstruct_at_plane(const State<dim> &state, int axis, Index node);
+
+    /// Half the longest edge below and above a node, cm: how far the farthest face of what belongs to it is.
+    std::array<double, 2>
+    half_edges(int axis, Index node) const;
+
     /// Velocity of what leaves a node up or down the axis through the face at a distance `half` of its cell.
     Vector<dim>
     carried_along(Index from, bool up, double half) const;
