@@ -83,7 +83,7 @@ namespace whipple
     , mass_after_(mesh.n_cells)
     , topology_{SweepTopology<dim>(mesh, 0), SweepTopology<dim>(mesh, 1)}
     , volume_flux_(mesh, parameters)
-    , material_transport_(mesh, parameters)
+    , material_transport_(mesh, boundaries, parameters)
     , momentum_transport_(mesh, boundaries, parameters)
   {
     for (int axis = 0; axis < dim; ++axis)
@@ -132,7 +132,8 @@ namespace whipple
     sum_masses(state, mass_before_);
     mass_flux_.assign(topology.n_faces + 1, 0.);
     for (std::size_t m = 0; m < state.material.size(); ++m)
-      material_transport_.move(state.material[m], static_cast<Index>(m), volume_flux_, topology, mass_flux_, report);
+      material_transport_.move(state.material[m], static_cast<Index>(m), volume_flux_, topology, state.index.stress_01,
+                               mass_flux_, report);
     for (Index c = 0; c < mesh_->n_cells; ++c)
       state.volume[c] -= topology.net(swept_[axis], c);
     compress_overfull(state, mesh_->n_owned, report);

@@ -8,16 +8,23 @@
 namespace whipple
 {
   template <int dim>
-  MaterialTransport<dim>::MaterialTransport(const FlatMesh<dim> &mesh, const RemapParameters &parameters)
+  MaterialTransport<dim>::MaterialTransport(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries,
+                                            const RemapParameters &parameters)
     : mesh_(&mesh)
     , parameters_(parameters)
+    , at_plane_(mesh.n_cells, 0)
     , is_emptied_(mesh.n_cells, 0)
     , inverse_volume_(mesh.n_cells, 0.)
     , inverse_mass_(mesh.n_cells, 0.)
   {
     Index n_faces = 0;
     for (const FlatFaces<dim> &faces : mesh.faces)
-      n_faces = std::max(n_faces, faces.size());
+      {
+        n_faces = std::max(n_faces, faces.size());
+        for (Index f = 0; f < faces.size(); ++f)
+          if (const int side = faces.side[f]; side >= 0 && boundaries[side].kind == BoundaryKind::reflecting)
+            at_plane_[faces.cell[1 - (side & 1)][f]] |= 1 << side;
+      }
     face_value_.resize(n_faces + 1);
     mass_flux_.resize(n_faces + 1);
     active_.reserve(n_faces);
@@ -109,6 +116,28 @@ namespace whipple
 
   template <int dim>
   void
+  MaterialTransport<dim>::odd_face_values(const std::vector<double> &value, double ActiveFace::*const kept,
+                                          const int axis)
+  {
+    const int lower = 1 << (2 * axis), upper = 2 << (2 * axis);
+    for (const ActiveFace &a : active_)
+      {
+        const int planes = at_plane_[a.donor] & (lower | upper);
+        // both the donor itself: no slope there
+        if (planes == 0 || planes == (lower | upper) || a.upstream[0] == a.downstream[0])
+          continue;
+        const bool   behind = a.upstream[0] == a.donor; // the plane, else it lies ahead
+        const Index *inside = behind ? a.downstream : a.upstream;
+        const double q = value[a.donor], difference = 0.5 * (value[inside[0]] + value[inside[1]]) - q;
+        const double up = behind ? 2. * q : -difference, down = behind ? difference : -2. * q;
+        const double central = a.weight_up * up + a.weight_down * down;
+        const double curved  = a.weight_up == a.weight_down ? curvature_slope(up, down, a.*kept) : 0.;
+        face_value_[a.face]  = q + 0.5 * a.*kept * limited_slope(up, down, central + curved);
+      }
+  }
+
+  template <int dim>
+  void
   MaterialTransport<dim>::carry(std::vector<double> &value, const std::vector<double> &flux,
                                 const std::vector<double> &inverse, const SweepTopology<dim> &topology)
   {
@@ -171,7 +200,7 @@ namespace whipple
   template <int dim>
   void
   MaterialTransport<dim>::move(MaterialState &material, const Index m, const VolumeFlux<dim> &volume_flux,
-                               const SweepTopology<dim> &topology, std::vector<double> &mass_flux,
+                               const SweepTopology<dim> &topology, const int odd_field, std::vector<double> &mass_flux,
                                RemapReport<dim> &report)
   {
     const std::vector<double> &flux = volume_flux.flux[m];
@@ -191,8 +220,11 @@ namespace whipple
       }
     update_amounts(material, flux, topology);
 
-    const auto by_volume = [&](std::vector<double> &value) {
+    const std::vector<double> *const odd       = odd_field < 0 ? nullptr : &material.fields[odd_field].value;
+    const auto                       by_volume = [&](std::vector<double> &value) {
       face_values(value, &ActiveFace::volume_kept);
+      if (&value == odd)
+        odd_face_values(value, &ActiveFace::volume_kept, topology.axis);
       carry(value, flux, inverse_volume_, topology);
     };
     const auto by_mass = [&](std::vector<double> &value) {

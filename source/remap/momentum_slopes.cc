@@ -4,9 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whipple
 {
+  namespace
+  {
+    /// What the kinetic energy of slopes may take in one sweep of the heat around a receiver ...
+    constexpr double payable_share = 0.1;
+    /// ... and of c^2 where that is cold: solids may lack a little heat, gases may not.
+    constexpr double payable_stiffness = 0.01;
+  } // namespace
+
   template <int dim>
   bool
   MomentumTransport<dim>::moves(const State<dim> &state, const Index node) const
@@ -22,7 +31,9 @@ namespace whipple
   MomentumTransport<dim>::reconstruct(const State<dim> &state, const int axis, const Index node)
   {
     const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
-    if (p == node || q == node || !moves(state, p) || !moves(state, q))
+    if (p == node || q == node)
+      return reconstruct_at_plane(state, axis, node);
+    if (!moves(state, p) || !moves(state, q))
       return;
     const double up   = dual_.balance[node].up / state.node_mass[node],
                  down = dual_.balance[node].down / state.node_mass[node];
@@ -47,13 +58,9 @@ namespace whipple
   }
 
   template <int dim>
-  void
-  MomentumTransport<dim>::reconstruct_uneven(const State<dim> &state, const int axis, const Index node)
+  std::array<double, 2>
+  MomentumTransport<dim>::half_edges(const int axis, const Index node) const
   {
-    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
-    if (p == node || q == node || !moves(state, p) || !moves(state, q))
-      return;
-    // half the longest edge to either side: how far away the farthest face of what belongs to the node is
     std::array<double, 2> half{0., 0.};
     for (Index i = mesh_->node_corner_begin[node]; i < mesh_->node_corner_begin[node + 1]; ++i)
       {
@@ -63,7 +70,52 @@ namespace whipple
         double &longest = half[1 - (corner >> axis & 1)];
         longest         = std::max(longest, 0.5 * edge);
       }
-    const double x = mesh_->node_point[axis][node], below = x - mesh_->node_point[axis][p],
+    return half;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct_at_plane(const State<dim> &state, const int axis, const Index node)
+  {
+    const bool  lower  = nodes_.previous[axis][node] == node;
+    const Index inside = (lower ? nodes_.next : nodes_.previous)[axis][node];
+    const int   side   = 2 * axis + (lower ? 0 : 1);
+    if (inside == node || !(mesh_->node_side[node] >> side & 1) || boundaries_[side].kind != BoundaryKind::reflecting ||
+        !moves(state, inside))
+      return;
+    // the flow beyond is the mirror image: tangential velocities are extreme at the plane, the normal one is straight
+    // through it, and the whole node, of twice the mass, gives the same to either side
+    const int                   d        = normal_axis<dim>(boundaries_, side);
+    const double                share    = (dual_.balance[node].up + dual_.balance[node].down) / state.node_mass[node];
+    const std::array<double, 2> edges    = half_edges(axis, node);
+    const double                half     = std::max(edges[0], edges[1]);
+    const double                distance = mesh_->node_point[axis][inside] - mesh_->node_point[axis][node];
+    const double                v        = state.velocity[d][node];
+    const double                gradient =
+        (state.velocity[d][inside] - v) / std::copysign(std::max(std::abs(distance), half), distance);
+    const double swept = 0.5 * share * half, reach = nodes_.uneven[node] ? 0. : half;
+    if (nodes_.uneven[node])
+      {
+        if (!(share < 1))
+          return;
+        gradient_[d][node] = gradient;
+      }
+    up_[d][node]   = v + gradient * (reach - swept);
+    down_[d][node] = v - gradient * (reach - swept);
+    excess_[node]  = 0.5 * gradient * gradient * (half - swept) * (half - swept);
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::reconstruct_uneven(const State<dim> &state, const int axis, const Index node)
+  {
+    const Index p = nodes_.previous[axis][node], q = nodes_.next[axis][node];
+    if (p == node || q == node)
+      return reconstruct_at_plane(state, axis, node);
+    if (!moves(state, p) || !moves(state, q))
+      return;
+    const std::array<double, 2> half = half_edges(axis, node);
+    const double                x = mesh_->node_point[axis][node], below = x - mesh_->node_point[axis][p],
                  above = mesh_->node_point[axis][q] - x;
     const double up    = dual_.balance[node].up / state.node_mass[node],
                  down = dual_.balance[node].down / state.node_mass[node], rest = 1. - up - down;
@@ -93,10 +145,107 @@ namespace whipple
     excess_[node] = 0.5 * square / (up + down);
   }
 
+  template <int dim>
+  double
+  MomentumTransport<dim>::payable_energy(const double energy, const double cold_stiffness)
+  {
+    return payable_share * std::max(energy, 0.) + payable_stiffness * cold_stiffness;
+  }
+
+  template <int dim>
+  double
+  MomentumTransport<dim>::least_payable(const RemapParameters &parameters)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double stiffness : parameters.cold_stiffness)
+      least = std::min(least, payable_energy(0., stiffness));
+    return parameters.cold_stiffness.empty() ? 0. : least;
+  }
+
+  template <int dim>
+  double
+  MomentumTransport<dim>::payable(const State<dim> &state, const std::vector<double> &mass_after,
+                                  const Index receiver) const
+  {
+    const NodeBalance &b      = dual_.balance[receiver];
+    const double       inflow = b.mass - state.node_mass[receiver] + b.up + b.down + b.aside;
+    double             room   = std::numeric_limits<double>::infinity();
+    if (!(inflow > 0))
+      return room;
+    const auto look_around = [&](const Index node) {
+      for (Index i = mesh_->node_corner_begin[node]; i < mesh_->node_corner_begin[node + 1]; ++i)
+        if (const Index c = mesh_->node_corner[i] / FlatMesh<dim>::corners; mass_after[c] > 0)
+          for (std::size_t m = 0; m < state.material.size(); ++m)
+            if (state.material[m].mass[c] > 0)
+              room = std::min(room, payable_energy(state.material[m].energy[c], m < parameters_.cold_stiffness.size()
+                                                                                    ? parameters_.cold_stiffness[m]
+                                                                                    : 0.));
+    };
+    look_around(receiver);
+    for (const Index h : nodes_.hanging_of(receiver))
+      look_around(h);
+    return room * b.mass / inflow;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::flatten_to_what_can_be_paid(const State<dim> &state, const int axis,
+                                                      const std::vector<double> &mass_after, const Index node)
+  {
+    double     room = std::numeric_limits<double>::infinity();
+    const auto ask  = [&](const Index receiver) {
+      if (nodes_.kind[receiver] != NodeKind::hanging)
+        room = std::min(room, payable(state, mass_after, receiver));
+      else
+        for (const Index master : mesh_->master[nodes_.hanging_place[receiver]])
+          room = std::min(room, payable(state, mass_after, master));
+    };
+    const auto ask_around = [&](const Index at) {
+      for (Index i = mesh_->node_corner_begin[at]; i < mesh_->node_corner_begin[at + 1]; ++i)
+        {
+          const Index  corner = mesh_->node_corner[i], c = corner >> 2;
+          const int    l = corner >> axis & 1, t = corner >> (1 - axis) & 1;
+          const double along = dual_.along[2 * c + t], across = dual_.across[2 * c + l];
+          if ((l ? -along : along) > 0)
+            ask(mesh_->cell_node[corner ^ (1 << axis)]);
+          if ((t ? -across : across) > 0)
+            ask(mesh_->cell_node[corner ^ (2 >> axis)]);
+        }
+    };
+    ask_around(node);
+    if (nodes_.kind[node] == NodeKind::special)
+      for (const Index h : nodes_.hanging_of(node))
+        ask_around(h);
+    if (!(excess_[node] > room))
+      return;
+    const double scale = std::sqrt(room / excess_[node]);
+    excess_[node]      = room;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double v = state.velocity[d][node];
+        up_[d][node]   = v + scale * (up_[d][node] - v);
+        down_[d][node] = v + scale * (down_[d][node] - v);
+        if (nodes_.uneven[node])
+          gradient_[d][node] *= scale;
+      }
+  }
+
   template bool
   MomentumTransport<2>::moves(const State<2> &, Index) const;
   template void
   MomentumTransport<2>::reconstruct(const State<2> &, int, Index);
+  template std::array<double, 2>
+  MomentumTransport<2>::half_edges(int, Index) const;
+  template void
+  MomentumTransport<2>::reconstruct_at_plane(const State<2> &, int, Index);
   template void
   MomentumTransport<2>::reconstruct_uneven(const State<2> &, int, Index);
+  template double
+  MomentumTransport<2>::payable_energy(double, double);
+  template double
+  MomentumTransport<2>::least_payable(const RemapParameters &);
+  template double
+  MomentumTransport<2>::payable(const State<2> &, const std::vector<double> &, Index) const;
+  template void
+  MomentumTransport<2>::flatten_to_what_can_be_paid(const State<2> &, int, const std::vector<double> &, Index);
 } // namespace whipple

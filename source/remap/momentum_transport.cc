@@ -13,6 +13,7 @@ namespace whipple
     : mesh_(&mesh)
     , boundaries_(boundaries)
     , parameters_(parameters)
+    , least_payable_(least_payable(parameters))
     , nodes_(mesh)
     , dual_(mesh, nodes_)
     , excess_(mesh.n_nodes, 0.)
@@ -30,7 +31,8 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::upwind_velocities(const State<dim> &state, const int axis)
+  MomentumTransport<dim>::upwind_velocities(const State<dim> &state, const int axis,
+                                            const std::vector<double> &mass_after)
   {
     drained_.clear();
     for (Index n = 0; n < mesh_->n_nodes; ++n)
@@ -46,7 +48,11 @@ namespace whipple
         if (b.up + b.down + b.aside > mass)
           drained_.push_back(n);
         else if (parameters_.second_order && b.up + b.down > 0)
-          nodes_.uneven[n] ? reconstruct_uneven(state, axis, n) : reconstruct(state, axis, n);
+          {
+            nodes_.uneven[n] ? reconstruct_uneven(state, axis, n) : reconstruct(state, axis, n);
+            if (excess_[n] > least_payable_)
+              flatten_to_what_can_be_paid(state, axis, mass_after, n);
+          }
       }
   }
 
@@ -69,7 +75,12 @@ namespace whipple
             Exchange exchange;
             gather_drained(state, axis, n, given, exchange);
             for (int d = 0; d < dim; ++d)
-              mixed_[i][d] = given[d] + exchange.momentum[d] / exchange.inflow;
+              {
+                const int s = ruling_side<dim>(boundaries_, mesh_->node_side[n], d);
+                // what flows in from beyond a symmetry plane brings the opposite normal momentum
+                const bool mirrored = s != none && boundaries_[s].kind == BoundaryKind::reflecting;
+                mixed_[i][d]        = mirrored ? 0. : given[d] + exchange.momentum[d] / exchange.inflow;
+              }
           }
         for (std::size_t i = 0; i < drained_.size(); ++i)
           for (int d = 0; d < dim; ++d)
@@ -394,7 +405,7 @@ namespace whipple
                                const std::vector<double> &mass_after, RemapReport<dim> &report)
   {
     dual_.compute(state, topology, mass_flux, mass_before, mass_after);
-    upwind_velocities(state, topology.axis);
+    upwind_velocities(state, topology.axis, mass_after);
     mix_drained_nodes(state, topology.axis);
     book_boundaries(state, topology, mass_flux, report);
     update_nodes(state, topology.axis, report);

@@ -3,6 +3,8 @@
 #include <whipple/stage/cycle.h>
 #include <whipple/stage/domain.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -10,13 +12,25 @@ namespace whipple
 {
   namespace
   {
+    /// c^2 of a material that is cold and free of pressure, 0 if it has no such state.
+    double
+    cold_stiffness(const EquationOfState &eos)
+    {
+      const std::array<double, 1> density{eos.reference_density()}, energy{0.};
+      std::array<double, 1>       pressure{}, sound_speed_squared{};
+      eos.evaluate(density, energy, pressure, sound_speed_squared);
+      return std::isfinite(sound_speed_squared[0]) ? std::max(sound_speed_squared[0], 0.) : 0.;
+    }
+
     RemapParameters
-    remap_parameters(const Numerics &numerics, const Stage &stage)
+    remap_parameters(const Numerics &numerics, const Stage &stage, const std::vector<Material> &materials)
     {
       RemapParameters parameters;
       parameters.second_order         = numerics.remap_order == 2;
       parameters.kinetic_loss_to_heat = stage.lost_kinetic_energy == KineticLoss::heat;
       parameters.advection_limit      = numerics.advection_limit;
+      for (const Material &material : materials)
+        parameters.cold_stiffness.push_back(cold_stiffness(*material.eos));
       return parameters;
     }
   } // namespace
@@ -32,7 +46,7 @@ namespace whipple
   {
     passes_ = make_passes<dim>(scene.effects, {mesh, layout.materials, layout.fields});
     if (stage.mode == StageMode::eulerian)
-      remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage));
+      remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage, layout.materials));
   }
 
   template <int dim>

@@ -117,9 +117,10 @@ namespace whipple
   LevelNeed<dim>::of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator) const
   {
     const MeshControl        &control = scene_.mesh;
-    const std::vector<double> change =
-        control.smooth_levels > 0 ? change_over_cells(mesh, state, communicator) : std::vector<double>{};
-    std::vector<int> level(mesh.n_owned, -1);
+    const std::vector<double> change  = control.smooth_levels > 0
+                                            ? change_over_cells(mesh, state, scene_.boundaries, communicator)
+                                            : std::vector<double>{};
+    std::vector<int>          level(mesh.n_owned, -1);
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
         const double solid = solid_fraction(state, c);

@@ -46,7 +46,8 @@ namespace whipple
 
   template <int dim>
   std::vector<double>
-  change_over_cells(const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator)
+  change_over_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Boundaries<dim> &boundaries,
+                    MPI_Comm communicator)
   {
     const CellMeans<dim>  means(mesh, state);
     std::array<double, 3> largest{}; // density, pressure, component of the momentum density
@@ -65,8 +66,12 @@ namespace whipple
               continue;
             if (other == none)
               {
-                if (faces.side[f] < 0)
+                const int side = faces.side[f];
+                if (side < 0)
                   change[c] = 1.;
+                else if (boundaries[side].kind == BoundaryKind::reflecting && largest[2] > 0)
+                  change[c] = std::max(
+                      change[c], 2. * std::abs(means.value[c][2 + normal_axis<dim>(boundaries, side)]) / largest[2]);
                 continue;
               }
             if (!means.full[c] || !means.full[other])
@@ -84,5 +89,5 @@ namespace whipple
   }
 
   template std::vector<double>
-  change_over_cells(const FlatMesh<2> &, const State<2> &, MPI_Comm);
+  change_over_cells(const FlatMesh<2> &, const State<2> &, const Boundaries<2> &, MPI_Comm);
 } // namespace whipple

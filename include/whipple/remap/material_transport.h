@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/remap/remap_report.h>
 #include <whipple/remap/sweep_topology.h>
@@ -18,12 +19,13 @@ namespace whipple
   class MaterialTransport
   {
   public:
-    MaterialTransport(const FlatMesh<dim> &mesh, const RemapParameters &parameters);
+    MaterialTransport(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const RemapParameters &parameters);
 
     /// Move material m through the faces of one axis; adds its mass fluxes (along + axis) to `mass_flux`.
+    /// @param odd_field place in MaterialState::fields of the one that a mirror turns round (the shear stress), or -1
     void
     move(MaterialState &material, Index m, const VolumeFlux<dim> &volume_flux, const SweepTopology<dim> &topology,
-         std::vector<double> &mass_flux, RemapReport<dim> &report);
+         int odd_field, std::vector<double> &mass_flux, RemapReport<dim> &report);
 
   private:
     /// A face that material passes, its donor, and the cells upstream and downstream of the donor that the slope
@@ -46,6 +48,11 @@ namespace whipple
     update_amounts(MaterialState &material, const std::vector<double> &flux, const SweepTopology<dim> &topology);
     void
     face_values(const std::vector<double> &value, double ActiveFace::*kept);
+
+    /// Face values again where the donor lies at a symmetry plane across the axis, for a field that is odd there: it is
+    /// straight through the plane, while even ones are extreme and have no slope.
+    void
+    odd_face_values(const std::vector<double> &value, double ActiveFace::*kept, int axis);
     void
     carry(std::vector<double> &value, const std::vector<double> &flux, const std::vector<double> &inverse,
           const SweepTopology<dim> &topology);
@@ -54,6 +61,7 @@ namespace whipple
 
     const FlatMesh<dim>      *mesh_;
     const RemapParameters     parameters_;
+    std::vector<std::uint8_t> at_plane_; ///< [cell] symmetry planes it touches, bit 2 * axis + {0 lower, 1 upper}
     std::vector<ActiveFace>   active_;
     std::vector<Index>        kept_cells_;                    ///< keep some of what they held
     std::vector<Index>        refilled_cells_;                ///< held nothing, or gave all away, and receive something

@@ -49,7 +49,7 @@ namespace whipple
     };
 
     void
-    upwind_velocities(const State<dim> &state, int axis);
+    upwind_velocities(const State<dim> &state, int axis, const std::vector<double> &mass_after);
 
     /// Whether a node has a velocity: it, or both masters of a hanging one, hold mass.
     bool
@@ -62,6 +62,28 @@ namespace whipple
     /// The same where cells of several sizes meet: they leave through faces at different distances.
     void
     reconstruct_uneven(const State<dim> &state, int axis, Index node);
+
+    /// The same where a line of nodes ends: as if the mirror image lay beyond a reflecting side, else without a slope.
+    void
+    reconstruct_at_plane(const State<dim> &state, int axis, Index node);
+
+    /// Half the longest edge below and above a node, cm: how far the farthest face of what belongs to it is.
+    std::array<double, 2>
+    half_edges(int axis, Index node) const;
+
+    /// Flatten a node's slopes until the cells around its receivers can pay its excess out of their heat.
+    void
+    flatten_to_what_can_be_paid(const State<dim> &state, int axis, const std::vector<double> &mass_after, Index node);
+
+    /// What the kinetic energy of slopes may take from a gram of a material, Mbar cm^3/g.
+    static double
+    payable_energy(double energy, double cold_stiffness);
+    static double
+    least_payable(const RemapParameters &parameters);
+
+    /// Largest excess a gram of inflow that a node can pay.
+    double
+    payable(const State<dim> &state, const std::vector<double> &mass_after, Index receiver) const;
 
     /// Velocity of what leaves a node up or down the axis through the face at a distance `half` of its cell.
     Vector<dim>
@@ -115,6 +137,7 @@ namespace whipple
     const FlatMesh<dim>  *mesh_;
     const Boundaries<dim> boundaries_;
     const RemapParameters parameters_;
+    const double          least_payable_; ///< an excess below this can always be paid, Mbar cm^3/g
 
     const NodeTopology<dim> nodes_;
     DualFlux<dim>           dual_;

@@ -4,6 +4,7 @@
 #include <whipple/mesh/index.h>
 
 #include <array>
+#include <vector>
 
 namespace whipple
 {
@@ -15,6 +16,9 @@ namespace whipple
         true; ///< kinetic energy lost by the remap heats the material; false: dropped (1993), only booked
     double flotsam_fraction = 1e-6; ///< a donor that would keep less than this share of its volume gives all
     double advection_limit  = 0.45; ///< largest displacement of a node in a step, in edges of the cells around it
+
+    /// [material] c^2 where it is cold and free of pressure, cm^2/us^2; 0 for gases. What is not listed is a gas.
+    std::vector<double> cold_stiffness{};
   };
 
   /// What crossed one side of the domain outwards (inwards: negative).
