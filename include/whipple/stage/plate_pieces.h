@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/index.h>
+#include <whipple/scene/shape.h>
+#include <whipple/stage/plate_image.h>
+
+#include <vector>
+
+namespace whipple
+{
+  /// What of a scene its plate's measures depend on.
+  struct PlateSite
+  {
+    Symmetry  symmetry = Symmetry::planar;
+    Vector<2> origin{};     ///< lower corner of the domain, cm
+    double    spacing = 1;  ///< edge of a finest cell, cm
+    int       columns = 0;  ///< finest cells along axis 0 of the domain
+    Plate<2>  plate;        ///< as it entered
+    double    mass = 0;     ///< g that entered the domain
+    bool      half = false; ///< the left side is the axis or a plane of symmetry: half the plate is there
+
+    /// Left and right end of the domain along axis 0, cm.
+    double
+    left() const
+    {
+      return origin[0];
+    }
+    double
+    right() const
+    {
+      return origin[0] + columns * spacing;
+    }
+    /// Whether the plate reached the domain's side when it entered.
+    bool
+    reaches_left() const
+    {
+      return -plate.half_width <= left() + 1e-6 * spacing;
+    }
+    bool
+    reaches_right() const
+    {
+      return plate.half_width >= right() - 1e-6 * spacing;
+    }
+  };
+
+  /// What belongs together in a plate's image (doc/theory/measures.md, "Attached and detached").
+  struct PlatePieces
+  {
+    std::vector<int>  piece; ///< of each cell of the image: the smallest index of a cell in its piece; none: not solid
+    std::vector<bool> skin;  ///< partly filled cells on the surface of what is attached
+    int               left  = none; ///< piece that holds the plate's left rim; none in half a plate
+    int               right = none; ///< piece that holds its right rim
+
+    bool
+    attached(int cell) const
+    {
+      return piece[cell] != none && (piece[cell] == left || piece[cell] == right);
+    }
+  };
+
+  /// Find the pieces of a plate and those that are attached to its rims.
+  PlatePieces
+  plate_pieces(const PlateSite &site, const PlateImage &image);
+} // namespace whipple
