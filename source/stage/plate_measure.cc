@@ -33,14 +33,11 @@ namespace whipple
       return coarse > 0.5 * dense;
     }
 
-    /// Width of the plate as it entered, as a hole's diameter is measured, cm.
+    /// Where the diameter of a hole in half a plate is measured from, cm.
     double
-    whole_width(const PlateSite &site)
+    line_of_symmetry(const PlateSite &site)
     {
-      const double right = std::min(site.plate.half_width, site.right());
-      if (site.half)
-        return 2. * (right - (site.symmetry == Symmetry::axisymmetric ? 0. : site.left()));
-      return right - std::max(-site.plate.half_width, site.left());
+      return site.symmetry == Symmetry::axisymmetric ? 0. : site.left();
     }
 
     double
@@ -89,13 +86,15 @@ namespace whipple
     {
       const auto cut =
           static_cast<long>(std::ceil(std::max(rim_columns, rim_thicknesses * site.plate.thickness / site.spacing)));
-      std::vector<PlateColumn> columns = surfaces.columns(pieces.right);
-      if (pieces.left != none && pieces.left != pieces.right)
+      std::vector<PlateColumn> columns;
+      if (pieces.left != none)
+        columns = surfaces.columns(pieces.left);
+      if (pieces.right != none && pieces.right != pieces.left)
         {
-          const std::vector<PlateColumn> more = surfaces.columns(pieces.left);
-          columns.insert(columns.begin(), more.begin(), more.end());
+          const std::vector<PlateColumn> more = surfaces.columns(pieces.right);
+          columns.insert(columns.end(), more.begin(), more.end());
         }
-      const long from_left = site.half || site.reaches_left() ? 0 : cut, from_right = site.reaches_right() ? 0 : cut;
+      const long from_left = site.reaches(0) ? 0 : cut, from_right = site.reaches(1) ? 0 : cut;
       if (static_cast<long>(columns.size()) > from_left + from_right)
         {
           columns.erase(columns.end() - from_right, columns.end());
@@ -108,29 +107,49 @@ namespace whipple
     bool
     is_barred(const PlateSite &site, const PlateImage &image, const PlatePieces &pieces)
     {
+      if (pieces.right == none)
+        return false;
       if (!site.half)
         return pieces.left == pieces.right;
       const std::span<const int> first = image.line(1, 0);
       return std::any_of(first.begin(), first.end(), [&](int c) { return pieces.piece[c] == pieces.right; });
     }
 
+    /// One side of a hole.
+    struct HoleSide
+    {
+      double    tip;    ///< cm, how far it reaches into the hole
+      Vector<2> middle; ///< where it meets the middle of the plate beside it
+    };
+
+    HoleSide
+    hole_side(const PlateSurfaces &surfaces, int piece, bool from_left)
+    {
+      return {surfaces.tip(piece, from_left), surfaces.middle_of_edge(piece, from_left)};
+    }
+
     void
     measure_hole(const PlateSite &site, const PlatePieces &pieces, const PlateSurfaces &surfaces, PlateMeasure &result)
     {
-      const double    end  = surfaces.tip(pieces.right, true);
-      const Vector<2> edge = surfaces.middle_of_edge(pieces.right, true);
       if (site.half)
         {
-          const double line             = site.symmetry == Symmetry::axisymmetric ? 0. : site.left();
-          result.hole_diameter          = 2. * (edge[0] - line);
-          result.smallest_hole_diameter = 2. * (end - line);
+          const double   line           = line_of_symmetry(site);
+          const HoleSide edge           = hole_side(surfaces, pieces.right, true);
+          result.hole_diameter          = 2. * (edge.middle[0] - line);
+          result.smallest_hole_diameter = 2. * (edge.tip - line);
           result.perforation_margin     = result.smallest_hole_diameter;
           return;
         }
-      const double    other_end     = surfaces.tip(pieces.left, false);
-      const Vector<2> other         = surfaces.middle_of_edge(pieces.left, false);
-      result.hole_diameter          = std::hypot(edge[0] - other[0], edge[1] - other[1]);
-      result.smallest_hole_diameter = std::max(end - other_end, 0.);
+      // where a rim is lost the hole reaches as far as the plate did
+      const auto side = [&](int piece, int other, bool from_left) -> HoleSide {
+        if (piece != none)
+          return hole_side(surfaces, piece, from_left);
+        const double rim = site.rim(from_left ? 1 : 0);
+        return {rim, {{rim, hole_side(surfaces, other, !from_left).middle[1]}}};
+      };
+      const HoleSide right = side(pieces.right, pieces.left, true), left = side(pieces.left, pieces.right, false);
+      result.hole_diameter          = std::hypot(right.middle[0] - left.middle[0], right.middle[1] - left.middle[1]);
+      result.smallest_hole_diameter = std::max(right.tip - left.tip, 0.);
       result.perforation_margin = result.smallest_hole_diameter > 0 ? result.smallest_hole_diameter : surfaces.gap();
     }
   } // namespace
@@ -153,9 +172,10 @@ namespace whipple
         result.detached_mass += image.cells()[c].mass;
 
     result.perforated = true;
-    if (pieces.right == none || (!site.half && pieces.left == none)) // shattered all over
+    if (pieces.right == none && pieces.left == none) // shattered all over: as wide as the plate was
       {
-        result.hole_diameter = result.smallest_hole_diameter = result.perforation_margin = whole_width(site);
+        const double width   = site.half ? 2. * (site.rim(1) - line_of_symmetry(site)) : site.rim(1) - site.rim(0);
+        result.hole_diameter = result.smallest_hole_diameter = result.perforation_margin = width;
         result.crater_depth                                                              = site.plate.thickness;
         return result;
       }

@@ -22,6 +22,9 @@ namespace whipple
     /// Part of its thickness over which a plate that is still held by a side of the domain touches it.
     constexpr double rim_contact = 0.5;
 
+    /// Part of the plate's width by which it may have drawn back from a side that it reached.
+    constexpr double rim_distance = 0.25;
+
     /// Mark the cells of thin layers across an axis.
     void
     mark_thin(const PlateImage &image, int axis, std::vector<bool> &solid)
@@ -74,7 +77,7 @@ namespace whipple
     rim_piece(const PlateSite &site, const std::vector<Piece> &pieces, int side)
     {
       int          best   = none;
-      const bool   held   = side == 0 ? site.reaches_left() : site.reaches_right();
+      const bool   held   = site.reaches(side);
       const double length = rim_contact * site.plate.thickness / site.spacing;
       if (held)
         for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -82,12 +85,14 @@ namespace whipple
             best = static_cast<int>(p);
       if (best != none)
         return best;
-      const auto outer = [side](const Piece &a, const Piece &b) {
-        return side == 0 ? a.reach[0] < b.reach[0] : a.reach[1] > b.reach[1];
-      };
+
+      // how far outwards on that side, cm
+      const auto   outwards = [&](double x) { return side == 0 ? -x : x; };
+      const auto   reach    = [&](const Piece &p) { return outwards(site.left() + p.reach[side] * site.spacing); };
+      const double near     = outwards(rim_distance * site.rim(1 - side) + (1. - rim_distance) * site.rim(side));
       for (std::size_t p = 0; p < pieces.size(); ++p)
-        if (pieces[p].mass > 0 && pieces[p].mass >= rim_mass * site.mass &&
-            (best == none || outer(pieces[p], pieces[best])))
+        if (pieces[p].mass > 0 && pieces[p].mass >= rim_mass * site.mass && (!held || reach(pieces[p]) >= near) &&
+            (best == none || reach(pieces[p]) > reach(pieces[best])))
           best = static_cast<int>(p);
       return best;
     }

@@ -395,6 +395,62 @@ namespace
     EXPECT_NEAR(m.detached_mass, 0.6 * 72. * 5., 1.);
   }
 
+  TEST(PlateMeasure, LostRim)
+  {
+    const Scenery s{Symmetry::planar, 96, 64, 5., infinite, 0., false};
+    for (const bool mirrored : {false, true})
+      {
+        const PlateMeasure m =
+            s.measure([&](double x, double z) { return s.in_plate(x, z) && (mirrored ? -x : x) > -7.6; });
+        EXPECT_TRUE(m.perforated);
+        EXPECT_NEAR(m.hole_diameter, 48. - 7.6, 0.1);
+        EXPECT_NEAR(m.smallest_hole_diameter, 48. - 7.6, 0.1);
+      }
+    // drawn back a little from the sides
+    const PlateMeasure whole = s.measure([&](double x, double z) { return s.in_plate(x, z) && std::abs(x) < 44.3; });
+    expect_whole(whole);
+  }
+
+  // Whatever the cells hold: an answer, finite numbers, and the signs that belong to the verdict.
+  TEST(PlateMeasure, AnyCloudIsMeasured)
+  {
+    std::mt19937                           random(42);
+    std::uniform_real_distribution<double> uniform(0., 1.);
+    for (int k = 0; k < 400; ++k)
+      {
+        const bool    round = k % 3 == 0;
+        const Scenery s{round ? Symmetry::axisymmetric : Symmetry::planar,
+                        16,
+                        16,
+                        1. + 4. * uniform(random),
+                        k % 2 ? infinite : 5. + 5. * uniform(random),
+                        0.,
+                        round || k % 3 == 1};
+        std::vector<PlateCell> cells;
+        const double           density = uniform(random);
+        for (int i = 0; i < 16; i += 2)
+          for (int j = 0; j < 16; j += 2)
+            for (int child = 0; child < 4; ++child)
+              if (const bool coarse = (i + j) % 3 == 0; (!coarse || child == 0) && uniform(random) < density)
+                {
+                  PlateCell cell{{{i + (coarse ? 0 : child % 2), j + (coarse ? 0 : child / 2)}}, coarse ? 2 : 1};
+                  cell.fill  = uniform(random);
+                  cell.solid = cell.fill * uniform(random);
+                  cell.mass  = cell.solid * cell.size * cell.size * s.weight(i + 1.);
+                  cell.dense = cell.solid > 0.5 * cell.fill;
+                  cells.push_back(cell);
+                }
+        const auto m = measure_plate(s.site(), cells);
+        if (!m)
+          continue;
+        for (const double value : {m->perforation_margin, m->hole_diameter, m->smallest_hole_diameter, m->crater_depth,
+                                   m->rear_bulge, m->front_lip, m->least_thickness, m->detached_mass})
+          EXPECT_TRUE(std::isfinite(value)) << k;
+        EXPECT_EQ(m->perforated, m->perforation_margin >= 0) << k;
+        EXPECT_GE(m->smallest_hole_diameter, 0.) << k;
+      }
+  }
+
   TEST(PlateMeasure, CoarseCellsAmongFine)
   {
     for (const double front : {0., 0.3, 1.7})

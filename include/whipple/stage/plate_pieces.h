@@ -5,6 +5,7 @@
 #include <whipple/scene/shape.h>
 #include <whipple/stage/plate_image.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace whipple
@@ -31,16 +32,20 @@ namespace whipple
     {
       return origin[0] + columns * spacing;
     }
-    /// Whether the plate reached the domain's side when it entered.
-    bool
-    reaches_left() const
+    /// Where the plate in the domain ended on side 0 (left) or 1 (right) when it entered, cm.
+    double
+    rim(int side) const
     {
-      return -plate.half_width <= left() + 1e-6 * spacing;
+      if (side == 1)
+        return std::min(plate.half_width, right());
+      return half ? left() : std::max(-plate.half_width, left());
     }
+    /// Whether it reached that side of the domain.
     bool
-    reaches_right() const
+    reaches(int side) const
     {
-      return plate.half_width >= right() - 1e-6 * spacing;
+      return side == 1 ? plate.half_width >= right() - 1e-6 * spacing
+                       : half || -plate.half_width <= left() + 1e-6 * spacing;
     }
   };
 
@@ -49,8 +54,8 @@ namespace whipple
   {
     std::vector<int>  piece; ///< of each cell of the image: the smallest index of a cell in its piece; none: not solid
     std::vector<bool> skin;  ///< partly filled cells on the surface of what is attached
-    int               left  = none; ///< piece that holds the plate's left rim; none in half a plate
-    int               right = none; ///< piece that holds its right rim
+    /// Pieces that hold the plate's left and right rim; none where it is lost, and on the left of half a plate.
+    int left = none, right = none;
 
     bool
     attached(int cell) const
