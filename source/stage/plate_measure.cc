@@ -1,120 +1,206 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/error.h>
 #include <whipple/stage/plate_measure.h>
+#include <whipple/stage/plate_surfaces.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace whipple
 {
   namespace
   {
-    /// Solid volume fraction of a plate's material on the finest lattice inside the plate's original box.
-    struct PlateImage
+    /// Part of a plate's mass below which nothing of it is left to be measured.
+    constexpr double nothing_left = 0.01;
+
+    /// Part of a plate's width, at its rims, from which its undisturbed planes are taken.
+    constexpr double rim_zone = 0.2;
+
+    /// Columns at a free rim that are the rim's own surface.
+    constexpr double rim_columns = 2., rim_thicknesses = 0.5;
+
+    /// Whether most of the plate lies in cells larger than its thickness.
+    bool
+    too_coarse(const PlateSite &site, const std::vector<PlateCell> &cells)
     {
-      int                 columns = 0, rows = 0; ///< along axis 0, along axis 1
-      double              spacing = 0;           ///< cm
-      std::vector<double> solid;                 ///< [row * columns + column]
+      double dense = 0, coarse = 0;
+      for (const PlateCell &cell : cells)
+        if (cell.dense)
+          {
+            dense += cell.mass;
+            if (cell.size * site.spacing > (1. + 1e-9) * site.plate.thickness)
+              coarse += cell.mass;
+          }
+      return coarse > 0.5 * dense;
+    }
+
+    /// Where the diameter of a hole in half a plate is measured from, cm.
+    double
+    line_of_symmetry(const PlateSite &site)
+    {
+      return site.symmetry == Symmetry::axisymmetric ? 0. : site.left();
+    }
+
+    double
+    median(std::vector<double> values)
+    {
+      std::sort(values.begin(), values.end());
+      const std::size_t n = values.size();
+      return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+    }
+
+    /// The plane of one of the plate's faces far from the impact: level in half a plate, else through both rims.
+    struct Plane
+    {
+      double x = 0, z = 0, slope = 0;
 
       double
-      at(int row, int column) const
+      at(double position) const
       {
-        return solid[static_cast<std::size_t>(row) * columns + column];
-      }
-
-      double
-      hole_radius(int row) const
-      {
-        for (int i = columns - 1; i >= 0; --i)
-          if (at(row, i) < 0.5)
-            return spacing * (i + 1 - std::min(at(row, i), 1.));
-        return 0;
+        return z + slope * (position - x);
       }
     };
 
-    /// Solid fraction that a body contributes to a cell.
-    template <int dim>
-    double
-    solid_of_body(const Scene<dim> &scene, const FieldLayout &layout, std::size_t body, const State<dim> &state,
-                  Index c)
+    Plane
+    undisturbed_plane(const PlateSite &site, const std::vector<PlateColumn> &columns, double PlateColumn::*face)
     {
-      const Index          material = layout.body_material[body];
-      const MaterialState &m        = state.material[material];
-      if (m.mass[c] == 0.)
-        return 0;
-      double share = 1.;
-      if (layout.body_tag[body] >= 0)
-        share = m.fields[layout.body_tag[body]].value[c];
-      else
-        for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-          if (layout.body_material[b] == material && layout.body_tag[b] >= 0)
-            share -= m.fields[layout.body_tag[b]].value[c];
-      const double solid = m.has_voids() ? 1. - m.void_fraction[c] : 1.;
-      return share * solid * m.volume[c] / state.volume[c];
+      const std::size_t zone = std::max<std::size_t>(1, static_cast<std::size_t>(rim_zone * columns.size()));
+      const auto        rim  = [&](std::size_t begin) {
+        std::vector<double> x, z;
+        for (std::size_t i = begin; i < begin + zone; ++i)
+          {
+            x.push_back(columns[i].x);
+            z.push_back(columns[i].*face);
+          }
+        return std::array<double, 2>{{median(x), median(z)}};
+      };
+      const auto right = rim(columns.size() - zone);
+      if (site.half)
+        return {right[0], right[1], 0.};
+      const auto left = rim(0);
+      return {left[0], left[1], right[0] > left[0] ? (right[1] - left[1]) / (right[0] - left[0]) : 0.};
     }
 
-    template <int dim>
-    PlateImage
-    plate_image(const Scene<dim> &scene, const FieldLayout &layout, std::size_t body, const FlatMesh<dim> &mesh,
-                const State<dim> &state, MPI_Comm communicator)
+    /// The columns of all that is attached, without those that a free rim cuts.
+    std::vector<PlateColumn>
+    columns_inside_rims(const PlateSite &site, const PlatePieces &pieces, const PlateSurfaces &surfaces)
     {
-      const Lattice<dim> &lattice = scene.lattice;
-      const Box<dim>      box     = extent(scene.bodies[body].shape);
-      const int           columns =
-          std::min<double>(lattice.finest(0), std::ceil((box.upper[0] - lattice.origin[0]) / lattice.spacing));
-      const int  first = static_cast<int>(std::floor((box.lower[1] - lattice.origin[1]) / lattice.spacing + 1e-6));
-      const int  last  = static_cast<int>(std::ceil((box.upper[1] - lattice.origin[1]) / lattice.spacing - 1e-6));
-      PlateImage image{columns, last - first, lattice.spacing, {}};
-      image.solid.assign(static_cast<std::size_t>(image.rows) * columns, 0.);
-      for (Index c = 0; c < mesh.n_owned; ++c)
+      const auto cut =
+          static_cast<long>(std::ceil(std::max(rim_columns, rim_thicknesses * site.plate.thickness / site.spacing)));
+      std::vector<PlateColumn> columns;
+      if (pieces.left != none)
+        columns = surfaces.columns(pieces.left);
+      if (pieces.right != none && pieces.right != pieces.left)
         {
-          const LatticePoint<dim> p    = key_point<dim>(mesh.key[c]);
-          const int               size = lattice.extent(mesh.level[c]);
-          if (p[1] >= last || p[1] + size <= first || p[0] >= columns)
-            continue;
-          const double solid = solid_of_body(scene, layout, body, state, c);
-          for (int j = std::max(p[1], first); j < std::min(p[1] + size, last); ++j)
-            for (int i = p[0]; i < std::min(p[0] + size, columns); ++i)
-              image.solid[static_cast<std::size_t>(j - first) * columns + i] = solid;
+          const std::vector<PlateColumn> more = surfaces.columns(pieces.right);
+          columns.insert(columns.end(), more.begin(), more.end());
         }
-      MPI_Allreduce(MPI_IN_PLACE, image.solid.data(), static_cast<int>(image.solid.size()), MPI_DOUBLE, MPI_SUM,
-                    communicator);
-      return image;
+      const long from_left = site.reaches(0) ? 0 : cut, from_right = site.reaches(1) ? 0 : cut;
+      if (static_cast<long>(columns.size()) > from_left + from_right)
+        {
+          columns.erase(columns.end() - from_right, columns.end());
+          columns.erase(columns.begin(), columns.begin() + from_left);
+        }
+      return columns;
+    }
+
+    /// Whether the attached material reaches from the left rim, or the line of symmetry, to the right rim in one piece.
+    bool
+    is_barred(const PlateSite &site, const PlateImage &image, const PlatePieces &pieces)
+    {
+      if (pieces.right == none)
+        return false;
+      if (!site.half)
+        return pieces.left == pieces.right;
+      const std::span<const int> first = image.line(1, 0);
+      return std::any_of(first.begin(), first.end(), [&](int c) { return pieces.piece[c] == pieces.right; });
+    }
+
+    /// One side of a hole.
+    struct HoleSide
+    {
+      double    tip;    ///< cm, how far it reaches into the hole
+      Vector<2> middle; ///< where it meets the middle of the plate beside it
+    };
+
+    HoleSide
+    hole_side(const PlateSurfaces &surfaces, int piece, bool from_left)
+    {
+      return {surfaces.tip(piece, from_left), surfaces.middle_of_edge(piece, from_left)};
+    }
+
+    void
+    measure_hole(const PlateSite &site, const PlatePieces &pieces, const PlateSurfaces &surfaces, PlateMeasure &result)
+    {
+      if (site.half)
+        {
+          const double   line           = line_of_symmetry(site);
+          const HoleSide edge           = hole_side(surfaces, pieces.right, true);
+          result.hole_diameter          = 2. * (edge.middle[0] - line);
+          result.smallest_hole_diameter = 2. * (edge.tip - line);
+          result.perforation_margin     = result.smallest_hole_diameter;
+          return;
+        }
+      // where a rim is lost the hole reaches as far as the plate did
+      const auto side = [&](int piece, int other, bool from_left) -> HoleSide {
+        if (piece != none)
+          return hole_side(surfaces, piece, from_left);
+        const double rim = site.rim(from_left ? 1 : 0);
+        return {rim, {{rim, hole_side(surfaces, other, !from_left).middle[1]}}};
+      };
+      const HoleSide right = side(pieces.right, pieces.left, true), left = side(pieces.left, pieces.right, false);
+      result.hole_diameter          = std::hypot(right.middle[0] - left.middle[0], right.middle[1] - left.middle[1]);
+      result.smallest_hole_diameter = std::max(right.tip - left.tip, 0.);
+      result.perforation_margin = result.smallest_hole_diameter > 0 ? result.smallest_hole_diameter : surfaces.gap();
     }
   } // namespace
 
-  template <int dim>
-  PlateMeasure
-  measure_plate(const Scene<dim> &scene, const FieldLayout &layout, std::size_t body, const FlatMesh<dim> &mesh,
-                const State<dim> &state, MPI_Comm communicator)
+  std::optional<PlateMeasure>
+  measure_plate(const PlateSite &site, std::vector<PlateCell> cells)
   {
-    if (!std::holds_alternative<Plate<dim>>(scene.bodies[body].shape))
-      throw Error("body '" + scene.bodies[body].name + "' is no plate and has no hole to measure");
-    const PlateImage image = plate_image(scene, layout, body, mesh, state, communicator);
-    PlateMeasure     result;
-    result.hole_diameter          = image.hole_radius((image.rows - 1) / 2) + image.hole_radius(image.rows / 2);
-    result.smallest_hole_diameter = 2. * image.hole_radius(0);
-    for (int row = 1; row < image.rows; ++row)
-      result.smallest_hole_diameter = std::min(result.smallest_hole_diameter, 2. * image.hole_radius(row));
-    result.least_thickness = image.rows * image.spacing;
-    for (int column = 0; column < image.columns; ++column)
+    const PlateImage image(std::move(cells));
+    double           mass = 0;
+    for (const PlateCell &cell : image.cells())
+      mass += cell.mass;
+    if (site.plate.thickness < (1. - 1e-9) * site.spacing || !(mass > nothing_left * site.mass) ||
+        too_coarse(site, image.cells()))
+      return std::nullopt;
+
+    const PlatePieces pieces = plate_pieces(site, image);
+    PlateMeasure      result;
+    for (std::size_t c = 0; c < image.cells().size(); ++c)
+      if (!pieces.attached(static_cast<int>(c)) && !pieces.skin[c])
+        result.detached_mass += image.cells()[c].mass;
+
+    result.perforated = true;
+    if (pieces.right == none && pieces.left == none) // shattered all over: as wide as the plate was
       {
-        double thickness = 0;
-        int    front     = image.rows; // first half-solid layer
-        for (int row = image.rows - 1; row >= 0; --row)
-          {
-            thickness += image.at(row, column) * image.spacing;
-            if (image.at(row, column) >= 0.5)
-              front = row;
-          }
-        result.perforated      = result.perforated || front == image.rows;
-        result.crater_depth    = std::max(result.crater_depth, front * image.spacing);
-        result.least_thickness = std::min(result.least_thickness, thickness);
+        const double width   = site.half ? 2. * (site.rim(1) - line_of_symmetry(site)) : site.rim(1) - site.rim(0);
+        result.hole_diameter = result.smallest_hole_diameter = result.perforation_margin = width;
+        result.crater_depth                                                              = site.plate.thickness;
+        return result;
       }
+
+    const PlateSurfaces            surfaces(site, image, pieces);
+    const std::vector<PlateColumn> columns = columns_inside_rims(site, pieces, surfaces);
+    const Plane                    front   = undisturbed_plane(site, columns, &PlateColumn::front);
+    const Plane                    rear    = undisturbed_plane(site, columns, &PlateColumn::rear);
+    result.least_thickness                 = columns.front().thickness;
+    for (const PlateColumn &c : columns)
+      {
+        result.crater_depth    = std::max(result.crater_depth, c.front - front.at(c.x));
+        result.front_lip       = std::max(result.front_lip, front.at(c.x) - c.front);
+        result.rear_bulge      = std::max(result.rear_bulge, c.rear - rear.at(c.x));
+        result.least_thickness = std::min(result.least_thickness, c.thickness);
+      }
+    if (is_barred(site, image, pieces))
+      {
+        result.perforated         = false;
+        result.perforation_margin = -result.least_thickness;
+        return result;
+      }
+    result.crater_depth    = site.plate.thickness;
+    result.least_thickness = 0;
+    measure_hole(site, pieces, surfaces, result);
     return result;
   }
-
-  template PlateMeasure
-  measure_plate(const Scene<2> &, const FieldLayout &, std::size_t, const FlatMesh<2> &, const State<2> &, MPI_Comm);
 } // namespace whipple

@@ -7,14 +7,19 @@
 namespace whipple
 {
   ResultTable
-  plate_results(const PlateMeasure &measure, double time)
+  plate_results(const std::optional<PlateMeasure> &measure, double time)
   {
-    return {{"hole_diameter_cm", measure.hole_diameter},
-            {"smallest_hole_diameter_cm", measure.smallest_hole_diameter},
-            {"perforated", measure.perforated},
-            {"crater_depth_cm", measure.crater_depth},
-            {"least_thickness_cm", measure.least_thickness},
-            {"measured_at_us", time}};
+    const PlateMeasure m = measure.value_or(PlateMeasure{});
+    ResultTable        results{{"perforated", m.perforated},          {"perforation_margin_cm", m.perforation_margin},
+                        {"hole_diameter_cm", m.hole_diameter}, {"smallest_hole_diameter_cm", m.smallest_hole_diameter},
+                        {"crater_depth_cm", m.crater_depth},   {"rear_bulge_cm", m.rear_bulge},
+                        {"front_lip_cm", m.front_lip},         {"least_thickness_cm", m.least_thickness},
+                        {"detached_mass_g", m.detached_mass}};
+    if (!measure)
+      for (auto &[quantity, value] : results)
+        value = std::monostate{};
+    results["measured_at_us"] = time;
+    return results;
   }
 
   ResultTable
@@ -85,7 +90,7 @@ namespace whipple
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
       {
         for (const std::size_t plate : measured_plates(scene, s))
-          tables[scene.bodies[plate].name].merge(plate_results({}, 0.));
+          tables[scene.bodies[plate].name].merge(plate_results(PlateMeasure{}, 0.));
         if (scene.has_effect("melting"))
           tables[scene.stages[s].name].merge(phase_results({}));
         if (scene.has_effect("fragment size"))

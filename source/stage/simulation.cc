@@ -88,10 +88,14 @@ namespace whipple
   {
     for (const std::size_t plate : measured_plates(scene_, stage))
       {
-        const PlateMeasure measure =
+        const std::string &name = scene_.bodies[plate].name;
+        const auto         measure =
             measure_plate(scene_, layout_, plate, domain_.view->mesh, domain_.state, domain_.communicator());
+        if (!measure)
+          reporter_.log().warning("stage " + scene_.stages[stage].name + ": plate " + name +
+                                  " cannot be measured: it is thinner than a cell, or nothing of it is left");
         for (const auto &[quantity, value] : plate_results(measure, domain_.state.time))
-          summary_.results[scene_.bodies[plate].name][quantity] = value;
+          summary_.results[name][quantity] = value;
       }
   }
 

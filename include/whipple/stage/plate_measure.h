@@ -3,28 +3,43 @@
 
 #include <whipple/scene/scene.h>
 #include <whipple/stage/field_layout.h>
+#include <whipple/stage/plate_pieces.h>
 
 #include <mpi.h>
 
+#include <optional>
+#include <vector>
+
 namespace whipple
 {
-  /// What an impact has done to a plate, measured on the plate's own material (by its body tag; without tags on
-  /// all material) inside the box it filled at the start, on the finest cells.
+  /// What an impact has done to a plate, measured on the plate's own material where it is now, by what of it still
+  /// hangs together with its rim (doc/theory/measures.md).
   struct PlateMeasure
   {
-    /// Twice the radius of the hole at mid-plane: from outside inwards, where the plate's solid volume fraction
-    /// sum V_m (1 - phi_m) / V falls below 1/2 for the first time, linear within that cell. 0: closed.
-    double hole_diameter          = 0;     ///< cm
-    double smallest_hole_diameter = 0;     ///< cm, the same in the layer where it is narrowest
-    bool   perforated             = false; ///< some column through the plate has no cell that is half solid
-    double crater_depth           = 0; ///< cm from the original front face to the first half-solid cell, deepest column
-    double least_thickness        = 0; ///< cm of solid left in the thinnest column
+    bool perforated = false; ///< no attached material bars the way from front to rear
+    /// cm, how sure that is: the narrowest width of the opening, or minus the thickness of the thinnest place.
+    double perforation_margin     = 0;
+    double hole_diameter          = 0; ///< cm, between the hole's edges at the middle of the plate beside them
+    double smallest_hole_diameter = 0; ///< cm, free for a straight line of flight along axis 1
+    double crater_depth           = 0; ///< cm from the undisturbed front plane; perforated: the plate's thickness
+    double rear_bulge             = 0; ///< cm of attached material behind the undisturbed rear plane
+    double front_lip              = 0; ///< cm of attached material before the undisturbed front plane
+    double least_thickness        = 0; ///< cm of solid left on the thinnest line of flight
+    double detached_mass          = 0; ///< g of the plate's material in the domain that hangs together with no rim
   };
 
-  /// Measure a plate-shaped body of the scene. Collective.
+  /// Measure a plate from the cells that hold its material, all of them.
+  /// @returns nothing if the plate cannot be seen: it is thinner than a cell, lies in cells larger than its thickness,
+  /// or
+  ///          next to nothing of it is left in the domain.
+  std::optional<PlateMeasure>
+  measure_plate(const PlateSite &site, std::vector<PlateCell> cells);
+
+  /// Measure a plate-shaped body of the scene; the same bits on all ranks, whatever their number. Collective; the first
+  /// rank alone holds the image.
   /// @throws Error if the body is no plate.
   template <int dim>
-  PlateMeasure
+  std::optional<PlateMeasure>
   measure_plate(const Scene<dim> &scene, const FieldLayout &layout, std::size_t body, const FlatMesh<dim> &mesh,
                 const State<dim> &state, MPI_Comm communicator);
 } // namespace whipple

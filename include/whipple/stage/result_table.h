@@ -20,9 +20,9 @@ namespace whipple
   /// Quantity -> value, of one place.
   using ResultTable = std::map<std::string, summary::Result>;
 
-  /// What is reported of a plate, measured at `time` (us).
+  /// What is reported of a plate, measured at `time` (us); all but that null if it could not be measured.
   ResultTable
-  plate_results(const PlateMeasure &measure, double time);
+  plate_results(const std::optional<PlateMeasure> &measure, double time);
 
   /// What is reported of the debris at `time` (us); every name starts with `prefix`. `inline_velocity`: see
   /// doc/results.md, left out if not known.
