@@ -29,6 +29,8 @@ namespace whipple
       message << name() << ": failure void fraction = " << constants.void_fraction << ": must be >= 0 and < 1";
     if (!message.str().empty())
       throw InputError(message.str());
+    require_positive(name(), "largest triaxiality", constants.largest_triaxiality, "");
+    require_positive(name(), "least failure strain", constants.least_ductility, "");
     if (constants.d[4] == 0.)
       return;
     require_not_negative(name(), "reference temperature", constants.reference_temperature, "K");
@@ -40,8 +42,10 @@ namespace whipple
   inline double
   JohnsonCookDamage::grown(const FailureInput &state, std::size_t i, double homologous, double damage) const
   {
-    const auto  &d       = constants_.d;
-    const bool   opened  = !state.void_fraction.empty() && state.void_fraction[i] > constants_.void_fraction;
+    const auto &d = constants_.d;
+    // where nothing sound can open, and beside what has broken, voids are those of the broken part
+    const bool opened = !state.void_fraction.empty() && std::isfinite(constants_.spall_strength) &&
+                        state.void_fraction[i] > std::max(constants_.void_fraction, damage);
     const double tension = -state.pressure[i];
     if (opened || tension > constants_.spall_strength)
       return 1.;
@@ -49,11 +53,11 @@ namespace whipple
     // Flow without stress (a melt) breaks nothing, and has no ratio of stresses.
     if (!(strain > 0. && stress > 0.))
       return damage;
-    const double rate = std::max(strain / (state.dt * constants_.reference_rate), 1.);
-    const double triaxial =
-        d[1] == 0. ? 0. : d[1] * std::exp(d[2] * tension / stress); // the exponential may be infinite
-    const double ductility = (d[0] + triaxial) * (1. + d[3] * std::log(rate)) * (1. + d[4] * homologous);
-    return ductility > 0. ? std::min(damage + strain / ductility, 1.) : 1.;
+    const double rate        = std::max(strain / (state.dt * constants_.reference_rate), 1.);
+    const double triaxiality = std::min(tension / stress, constants_.largest_triaxiality);
+    const double triaxial    = d[1] == 0. ? 0. : d[1] * std::exp(d[2] * triaxiality); // the exponential may be infinite
+    const double ductility   = (d[0] + triaxial) * (1. + d[3] * std::log(rate)) * (1. + d[4] * homologous);
+    return std::min(damage + strain / std::max(ductility, constants_.least_ductility), 1.);
   }
 
   void
@@ -71,6 +75,16 @@ namespace whipple
     for_each_thermal_point(*thermal_, state.density, state.energy, [&](std::size_t i, const ThermalPoint &point) {
       damage[i] = grown(state, i, std::clamp((point.temperature - cold) * span, 0., 1.), damage[i]);
     });
+  }
+
+  std::optional<double>
+  JohnsonCookDamage::end_of_ductility() const
+  {
+    const auto  &d     = constants_.d;
+    const double limit = constants_.largest_triaxiality;
+    if (d[0] + d[1] * std::exp(d[2] * limit) > 0.)
+      return std::nullopt;
+    return d[0] < 0. && d[1] > -d[0] && d[2] < 0. ? std::log(-d[0] / d[1]) / d[2] : 0.;
   }
 
   bool
@@ -134,6 +148,10 @@ namespace whipple
                    {"Johnson-Cook melt temperature", "temperature", "at which T* is 1", Range::positive(), {}, true},
                    reference_strain_rate,
                    reference_temperature,
+                   {"Johnson-Cook damage largest triaxiality", "pure number",
+                    "s beyond which eps_f stays what it is there: where the fit ends", Range::positive(), 1.5, false},
+                   {"Johnson-Cook damage least failure strain", "pure number", "below which eps_f does not fall",
+                    Range::positive(), 0.05, false},
                    {"Spall strength",
                     "pressure",
                     "tension of the solid beyond which sound material opens; none: infinite",
@@ -153,8 +171,10 @@ namespace whipple
       constants.reference_temperature = c("Reference temperature");
       if (constants.d[4] != 0.)
         constants.melt_temperature = c("Johnson-Cook melt temperature");
-      constants.spall_strength = c.find("Spall strength").value_or(std::numeric_limits<double>::infinity());
-      constants.void_fraction  = c("Failure void fraction");
+      constants.largest_triaxiality = c("Johnson-Cook damage largest triaxiality");
+      constants.least_ductility     = c("Johnson-Cook damage least failure strain");
+      constants.spall_strength      = c.find("Spall strength").value_or(std::numeric_limits<double>::infinity());
+      constants.void_fraction       = c("Failure void fraction");
       return std::make_shared<JohnsonCookDamage>(constants, c.thermal);
     });
   } // namespace

@@ -48,7 +48,7 @@ namespace whipple
     progress_line(const Progress &p, double wall_seconds)
     {
       std::array<char, 160> numbers;
-      std::snprintf(numbers.data(), numbers.size(), ": step %ld, t = %.4f us, dt = %.3e us (", p.step, p.time,
+      std::snprintf(numbers.data(), numbers.size(), ": step %ld, t = %.6g us, dt = %.3e us (", p.step, p.time,
                     p.time_step);
       std::string text(p.stage);
       text += numbers.data();

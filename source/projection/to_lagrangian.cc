@@ -4,6 +4,7 @@
 #include <whipple/error.h>
 #include <whipple/projection/cell_totals.h>
 #include <whipple/state/packet_layout.h>
+#include <whipple/state/round_off_share.h>
 
 #include <sstream>
 #include <unordered_map>
@@ -84,17 +85,23 @@ namespace whipple
     check_fraction(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell, double fraction,
                    std::span<const std::string> names)
     {
-      constexpr double tolerance = 1e-10;
-      if (!(fraction > 0) || fraction > 1. + tolerance)
-        throw StateError("projection onto elements: volume fraction " + std::to_string(fraction) + " in the " +
-                         place(mesh, cell));
-      if (fraction == 1.)
+      if (!(fraction > 0) || fraction > 1. + round_off_share)
+        {
+          std::ostringstream text;
+          text << "projection onto elements: volume fraction " << fraction << " in the " << place(mesh, cell);
+          throw StateError(text.str());
+        }
+      if (fraction >= 1. - round_off_share) // full: the materials grow by what the cell lacks
         return;
       for (std::size_t m = 0; m < state.material.size(); ++m)
         if (state.material[m].volume[cell] > 0 && !state.material[m].has_voids())
-          throw StateError("projection onto elements: material '" + names[m] + "' cannot take up the open void (" +
-                           std::to_string(1. - fraction) + " of the " + place(mesh, cell) +
-                           "): a Lagrangian stage needs a void law in every material");
+          {
+            std::ostringstream text;
+            text << "projection onto elements: material '" << names[m] << "' cannot take up the open void ("
+                 << 1. - fraction << " of the " << place(mesh, cell)
+                 << "): a Lagrangian stage needs a void law in every material";
+            throw StateError(text.str());
+          }
     }
 
     template <int dim>

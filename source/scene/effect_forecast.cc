@@ -220,7 +220,7 @@ namespace whipple
   std::vector<EffectVerdict>
   forecast_effects(const Scene<dim> &scene)
   {
-    const Outlook<dim> outlook{scene, encounters(scene), joined_duration(scene)};
+    const Outlook<dim> outlook{scene, extreme_encounters(scene), joined_duration(scene)};
     const std::map<std::string, std::function<EffectVerdict(const Outlook<dim> &)>> judges{
         {"strength", strength<dim>},
         {"melting", melting<dim>},

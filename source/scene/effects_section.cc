@@ -72,13 +72,15 @@ namespace whipple::sections
   {
     const SceneSection             section(parameters, path);
     const std::vector<std::string> listed = read_list(section);
-    scene.effect_verdicts                 = forecast_effects(scene);
+    if (contains(listed, automatic))
+      scene.effect_verdicts = forecast_effects(scene);
+    else
+      for (const std::string &name : effect_names())
+        scene.effect_verdicts.push_back({name, false, {}, "not listed by the scene"});
     for (EffectVerdict &verdict : scene.effect_verdicts)
       {
         if (contains(listed, verdict.name))
           verdict = {verdict.name, true, verdict.number, "listed by the scene"};
-        else if (!contains(listed, automatic))
-          verdict = {verdict.name, false, verdict.number, "not listed by the scene"};
         if (verdict.on)
           scene.effects.push_back(verdict.name);
       }

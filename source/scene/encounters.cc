@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace whipple
 {
@@ -85,7 +88,6 @@ namespace whipple
     meet(const Scene<dim> &scene, const Body<dim> &a, const Body<dim> &b, double speed)
     {
       Encounter encounter;
-      encounter.description     = a.name + " on " + b.name + " at " + rounded(10. * speed) + " km/s";
       encounter.stress          = infinity;
       const SceneMaterial &of_a = scene.materials[a.material], &of_b = scene.materials[b.material];
       encounter.of_solids =
@@ -98,9 +100,7 @@ namespace whipple
           const exact::Riemann contact({of_a.complete.eos, a.density, speed, a.energy},
                                        {of_b.complete.eos, b.density, 0., b.energy});
           encounter.pressure = contact.pressure();
-          // the pressure ends when the wave has come back from the nearer free face
-          encounter.duration = std::min(2. * axial_length(a) / (contact.fastest_left() + speed),
-                                        2. * axial_length(b) / contact.fastest_right());
+          encounter.echo     = {{2. / (contact.fastest_left() + speed), 2. / contact.fastest_right()}};
           add_body(a, of_a, speed - contact.velocity(), encounter);
           add_body(b, of_b, contact.velocity(), encounter);
         }
@@ -110,19 +110,106 @@ namespace whipple
         }
       return encounter;
     }
+
+    /// Two bodies that close in.
+    struct Pair
+    {
+      std::size_t a, b;
+      double      speed; ///< cm/us, > 0
+    };
+
+    template <int dim, typename Visit>
+    void
+    for_closing_pairs(const Scene<dim> &scene, const Visit &visit)
+    {
+      for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+        for (std::size_t b = a + 1; b < scene.bodies.size(); ++b)
+          if (const double speed = closing_speed(scene.bodies[a], scene.bodies[b]); speed > 0)
+            visit(Pair{a, b, speed});
+    }
+
+    /// Solves each impact of two states once.
+    template <int dim>
+    class Impacts
+    {
+    public:
+      explicit Impacts(const Scene<dim> &scene)
+        : scene_(scene)
+      {
+        std::map<std::tuple<std::size_t, double, double>, std::size_t> number;
+        for (const Body<dim> &body : scene.bodies)
+          state_.push_back(
+              number.emplace(std::tuple(body.material, body.density, body.energy), number.size()).first->second);
+      }
+
+      /// Bodies of the same two states.
+      std::pair<std::size_t, std::size_t>
+      kind(const Pair &pair) const
+      {
+        return {state_[pair.a], state_[pair.b]};
+      }
+
+      Encounter
+      of(const Pair &pair)
+      {
+        const Body<dim> &a = scene_.bodies[pair.a], &b = scene_.bodies[pair.b];
+        const auto [known, is_new] = solved_.try_emplace({kind(pair), pair.speed});
+        if (is_new)
+          known->second = meet(scene_, a, b, pair.speed);
+        Encounter encounter   = known->second;
+        encounter.description = a.name + " on " + b.name + " at " + rounded(10. * pair.speed) + " km/s";
+        // the pressure ends when the wave has come back from the nearer free face
+        encounter.duration = std::min(axial_length(a) * encounter.echo[0], axial_length(b) * encounter.echo[1]);
+        return encounter;
+      }
+
+    private:
+      const Scene<dim>                                                           &scene_;
+      std::vector<std::size_t>                                                    state_; ///< of each body
+      std::map<std::pair<std::pair<std::size_t, std::size_t>, double>, Encounter> solved_;
+    };
+
+    void
+    highest_first(std::vector<Encounter> &all)
+    {
+      std::stable_sort(all.begin(), all.end(),
+                       [](const Encounter &a, const Encounter &b) { return a.pressure > b.pressure; });
+    }
   } // namespace
 
   template <int dim>
   std::vector<Encounter>
   encounters(const Scene<dim> &scene)
   {
+    Impacts<dim>           impacts(scene);
     std::vector<Encounter> all;
-    for (std::size_t a = 0; a < scene.bodies.size(); ++a)
-      for (std::size_t b = a + 1; b < scene.bodies.size(); ++b)
-        if (const double speed = closing_speed(scene.bodies[a], scene.bodies[b]); speed > 0)
-          all.push_back(meet(scene, scene.bodies[a], scene.bodies[b], speed));
-    std::sort(all.begin(), all.end(), [](const Encounter &a, const Encounter &b) { return a.pressure > b.pressure; });
+    for_closing_pairs(scene, [&](const Pair &pair) { all.push_back(impacts.of(pair)); });
+    highest_first(all);
     return all;
+  }
+
+  template <int dim>
+  std::vector<Encounter>
+  extreme_encounters(const Scene<dim> &scene)
+  {
+    Impacts<dim>                                                         impacts(scene);
+    std::map<std::pair<std::size_t, std::size_t>, std::pair<Pair, Pair>> slowest_and_fastest;
+    for_closing_pairs(scene, [&](const Pair &pair) {
+      auto &[slowest, fastest] = slowest_and_fastest.try_emplace(impacts.kind(pair), pair, pair).first->second;
+      if (pair.speed < slowest.speed)
+        slowest = pair;
+      if (pair.speed > fastest.speed)
+        fastest = pair;
+    });
+    std::vector<Encounter> extreme;
+    for (const auto &[kind, pairs] : slowest_and_fastest)
+      {
+        extreme.push_back(impacts.of(pairs.second));
+        if (pairs.first.speed < pairs.second.speed)
+          extreme.push_back(impacts.of(pairs.first));
+      }
+    highest_first(extreme);
+    return extreme;
   }
 
   template <int dim>
@@ -153,6 +240,8 @@ namespace whipple
 
   template std::vector<Encounter>
   encounters(const Scene<2> &);
+  template std::vector<Encounter>
+  extreme_encounters(const Scene<2> &);
   template double
   joined_duration(const Scene<2> &);
 } // namespace whipple

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/scene/inflow_check.h>
 #include <whipple/scene/nearest_name.h>
 #include <whipple/scene/sections.h>
 #include <whipple/scene/study_section.h>
+#include <whipple/scene/void_law_check.h>
 
 #include <algorithm>
 #include <cctype>
@@ -126,6 +128,8 @@ namespace whipple
     scene.exact = sections::read_exact_solution<dim>(parameters, scene);
     sections::check_initial_states<dim>(parameters, scene);
     sections::drive_sides<dim>(parameters, scene);
+    sections::check_inflow<dim>(parameters, scene);
+    sections::check_void_laws<dim>(parameters, scene);
     scene.effective_parameters =
         parameters.print([&](const std::string &section) { return is_listed(parameters, section); });
     return scene;

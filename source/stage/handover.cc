@@ -6,6 +6,7 @@
 #include <whipple/projection/to_lagrangian.h>
 #include <whipple/stage/collective.h>
 #include <whipple/stage/handover.h>
+#include <whipple/stage/painted_bodies.h>
 #include <whipple/stage/painting.h>
 
 #include <algorithm>
@@ -131,10 +132,11 @@ namespace whipple
   void
   Handover<dim>::paint(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
-    const FlatMesh<dim>       &mesh   = domain.view->mesh;
-    const ConservedTotals<dim> before = totals(mesh, domain.state, domain.communicator());
-    paint_bodies(scene_, layout_, std::span<const std::size_t>(stage.introduces), mesh, domain.communicator(),
-                 domain.state);
+    const FlatMesh<dim>               &mesh   = domain.view->mesh;
+    const ConservedTotals<dim>         before = totals(mesh, domain.state, domain.communicator());
+    const std::span<const std::size_t> bodies(stage.introduces);
+    const GatherReport<dim>            gathered = sum_over_ranks(
+                   paint_bodies(scene_, layout_, bodies, mesh, domain.communicator(), domain.state), domain.communicator());
     ConservedTotals<dim> entered = totals(mesh, domain.state, domain.communicator());
     entered.mass -= before.mass;
     entered.internal_energy -= before.internal_energy;
@@ -142,6 +144,9 @@ namespace whipple
     for (int d = 0; d < dim; ++d)
       entered.momentum[d] -= before.momentum[d];
     ledger.introduce(entered);
+    for (int d = 0; d < dim; ++d)
+      entered.momentum[d] += gathered.wall_impulse[d];
+    check_entered(scene_, bodies, entered);
   }
 
   template <int dim>

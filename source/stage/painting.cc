@@ -4,7 +4,9 @@
 #include <whipple/scene/material_effects.h>
 #include <whipple/stage/collective.h>
 #include <whipple/stage/initial_state.h>
+#include <whipple/stage/painted_bodies.h>
 #include <whipple/stage/painting.h>
+#include <whipple/state/round_off_share.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,25 +177,35 @@ namespace whipple
 
   namespace
   {
-    /// True volume of the part of a cell that a body takes.
+    /// What a body takes of a cell.
+    struct Cut
+    {
+      double volume  = 0; ///< true volume, cm^3
+      double rounded = 0; ///< cm^3 that are left out as round-off
+    };
+
     template <int dim>
-    double
-    volume_in_cell(const Scene<dim> &scene, const Body<dim> &body, const FlatMesh<dim> &mesh, const State<dim> &state,
-                   Index c)
+    Cut
+    cut_of_cell(const Scene<dim> &scene, const Body<dim> &body, const Box<dim> &box, const FlatMesh<dim> &mesh,
+                const State<dim> &state, Index c)
     {
       Vector<dim> lower, upper;
       for (int d = 0; d < dim; ++d)
         {
           lower[d] = mesh.lower[d][c];
           upper[d] = lower[d] + mesh.size[c];
+          if (!(lower[d] < box.upper[d] && upper[d] > box.lower[d]))
+            return {};
         }
       // on a mapped mesh bodies are cut on the lattice
-      const double volume = scene.mesh_map == MeshMap::none
-                                ? body_volume<dim>(mesh.symmetry, body.shape, lower, upper)
-                                : body_volume<dim>(Symmetry::planar, body.shape, lower, upper) /
-                                      (mesh.size[c] * mesh.size[c]) * state.volume[c];
-      // a cell that is full but for the round-off of the cut is full
-      return std::abs(volume - state.volume[c]) < 1e-10 * state.volume[c] ? state.volume[c] : volume;
+      const double whole = state.volume[c];
+      const double volume =
+          scene.mesh_map == MeshMap::none
+              ? body_volume<dim>(mesh.symmetry, body.shape, lower, upper)
+              : body_volume<dim>(Symmetry::planar, body.shape, lower, upper) / (mesh.size[c] * mesh.size[c]) * whole;
+      if (volume < round_off_share * whole)
+        return {0., std::max(volume, 0.)};
+      return {std::abs(volume - whole) < round_off_share * whole ? whole : volume, 0.};
     }
   } // namespace
 
@@ -205,14 +217,21 @@ namespace whipple
     CornerVelocities<dim>            velocities = corner_velocities(mesh, state);
     std::optional<ExactFilling<dim>> exact;
     std::vector<std::uint8_t>        exact_only(mesh.n_cells, 0);
+    PaintedBodies<dim>               books(scene, bodies);
+    std::vector<Box<dim>>            boxes;
+    for (const std::size_t b : bodies)
+      boxes.push_back(extent(scene.bodies[b].shape));
     if (std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) { return enters_exact(scene.bodies[b]); }))
       exact.emplace(scene, mesh, state);
     agree(communicator, [&] {
       for (Index c = 0; c < mesh.n_cells; ++c)
-        for (const std::size_t b : bodies)
+        for (std::size_t i = 0; i < bodies.size(); ++i)
           {
-            const Body<dim> &body   = scene.bodies[b];
-            const double     volume = volume_in_cell(scene, body, mesh, state, c);
+            const std::size_t b          = bodies[i];
+            const Body<dim>  &body       = scene.bodies[b];
+            const auto [volume, rounded] = cut_of_cell(scene, body, boxes[i], mesh, state, c);
+            if (c < mesh.n_owned)
+              books.add(i, volume, rounded);
             if (volume <= 0)
               continue;
             const bool             is_exact = enters_exact(body);
@@ -225,6 +244,7 @@ namespace whipple
             exact_only[c] = is_exact && before == 0.;
           }
     });
+    books.check(communicator);
     if (exact)
       exact->add_hanging_energy(state, exact_only, velocities);
     for (const std::size_t b : bodies)

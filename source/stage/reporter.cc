@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/scene_warnings.h>
 #include <whipple/stage/phase_measure.h>
 #include <whipple/stage/reporter.h>
 
@@ -68,6 +69,8 @@ namespace whipple
     log_.info("effects (what, whether, number, why):");
     for (const EffectVerdict &verdict : scene.effect_verdicts)
       log_.info(effect_line(verdict));
+    for (const std::string &line : scene_warnings(scene))
+      log_.warning(line);
   }
 
   template <int dim>
@@ -82,7 +85,7 @@ namespace whipple
   void
   Reporter<dim>::stage_begins(const Stage &stage, int number, const Domain<dim> &domain)
   {
-    log_.info(format("stage %d: %s (%s) from %.4f us", number + 1, stage.name.c_str(),
+    log_.info(format("stage %d: %s (%s) from %.6g us", number + 1, stage.name.c_str(),
                      stage.mode == StageMode::eulerian ? "eulerian" : "lagrangian", domain.state.time));
     write_fields(stage, domain);
     if (scene_.output.fields_interval)
@@ -171,7 +174,7 @@ namespace whipple
     write_fields(stage, domain);
     const MPI_Comm             communicator = domain.communicator();
     const ConservedTotals<dim> present      = totals(domain.view->mesh, domain.state, communicator);
-    log_.info(format("ledger at %.4f us, end of %s", domain.state.time, stage.name.c_str()));
+    log_.info(format("ledger at %.6g us, end of %s", domain.state.time, stage.name.c_str()));
     log_.info(format("  %-24s %13s %15s %15s %15s", "", "mass", "axial momentum", "internal", "kinetic"));
     log_.info(format("  %-24s %13s %15s %15s %15s", "", "g", "g cm/us", "Mbar cm^3", "Mbar cm^3"));
     log_.info(ledger_line("introduced", ledger.introduced()));

@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/output/output_directory.h>
 #include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/scene_warnings.h>
 #include <whipple/scene/units.h>
 #include <whipple/stage/simulation.h>
 #include <whipple/study/error_estimate.h>
@@ -53,6 +54,17 @@ namespace whipple
         }
       return levels;
     }
+    /// Those that a run would begin with.
+    void
+    print_warnings(const Scene<2> &scene, MPI_Comm communicator)
+    {
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      if (rank == 0)
+        for (const std::string &line : scene_warnings(scene))
+          std::cout << "warning: " << line << std::endl;
+    }
+
     /// What the scene has, and what `auto` would choose for it.
     void
     print_effects(const Scene<2> &scene, MPI_Comm communicator)
@@ -61,7 +73,9 @@ namespace whipple
       MPI_Comm_rank(communicator, &rank);
       if (rank != 0)
         return;
-      const std::vector<Encounter> all = encounters(scene);
+      constexpr std::size_t        most_bodies = 20; // of whose encounters a person reads the list
+      const std::vector<Encounter> all =
+          scene.bodies.size() <= most_bodies ? encounters(scene) : extreme_encounters(scene);
       for (const Encounter &e : all)
         {
           std::cout << e.description;
@@ -87,6 +101,8 @@ namespace whipple
     const std::vector<Scene<2>> coarser = coarser_scenes(scene, options.overrides);
     if (options.effects_report)
       print_effects(scene, communicator);
+    if (options.validate_only)
+      print_warnings(scene, communicator);
     if (options.validate_only || options.effects_report)
       return;
     prepare(scene, options.output_directory, communicator);

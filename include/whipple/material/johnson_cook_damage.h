@@ -7,16 +7,18 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace whipple
 {
   /// Ductile failure: damage grows by the plastic strain over the strain at failure,
   ///
   ///   dD = d eps_p / eps_f,
-  ///   eps_f = [D1 + D2 exp(D3 s)] (1 + D4 ln max(rate/rate0, 1)) (1 + D5 T*),   s = -P / sigma_eq.
+  ///   eps_f = [D1 + D2 exp(D3 s)] (1 + D4 ln max(rate/rate0, 1)) (1 + D5 T*),   s = -P / sigma_eq,
   ///
-  /// Where eps_f <= 0 there is no ductility left, and any plastic strain is failure. Beside it, tension of the solid
-  /// beyond the spall strength, and voids beyond a threshold where there are any, are failure. doc/theory/failure.md.
+  /// with s up to the largest triaxiality of the fit and eps_f not below a least strain. Beside it, tension of the
+  /// solid beyond the spall strength, and voids beyond a threshold where there are any, are failure.
+  /// doc/theory/failure.md.
   class JohnsonCookDamage : public FailureModel
   {
   public:
@@ -27,6 +29,9 @@ namespace whipple
 
       double melt_temperature      = 0;    ///< of T* [K], > T_ref; not read for D5 = 0
       double reference_temperature = 300.; ///< T_ref [K], >= 0
+
+      double largest_triaxiality = 1.5;  ///< of s, > 0: where the fit ends
+      double least_ductility     = 0.05; ///< of eps_f, > 0
 
       double spall_strength = std::numeric_limits<double>::infinity(); ///< Mbar, >= 0
       double void_fraction  = 1e-3; ///< phi beyond which the material counts as broken, 0 <= phi < 1
@@ -42,6 +47,15 @@ namespace whipple
     needs_strength() const override;
     std::string
     name() const override;
+
+    /// s at which D1 + D2 exp(D3 s) falls to zero, if it does within the range of the fit.
+    std::optional<double>
+    end_of_ductility() const;
+    double
+    least_ductility() const
+    {
+      return constants_.least_ductility;
+    }
 
   private:
     double

@@ -18,11 +18,13 @@ namespace whipple
   request_bodies(const Scene<dim> &scene, const LevelNeed<dim> *need, std::span<const std::size_t> bodies,
                  RefinementMap<dim> &map);
 
-  /// Put bodies into the cells of a state, beside what they hold already: exact true volumes of the cut cells,
+  /// Put bodies into the cells of a state, beside what they hold already: exact true volumes of the cut cells (what is
+  /// below round_off_share of a cell stays out),
   /// density, energy and velocity of each body, uniform or those of the scene's exact solution; then make nodes of the
   /// corner velocities (where bodies of different velocity share a node, momentum is kept and the kinetic energy lost
   /// heats the cells). Energy deposits are added to the leaf that holds their point.
-  /// @throws StateError if a deposit finds no material, or the exact solution gives no initial state.
+  /// @throws StateError if a deposit finds no material, or the exact solution gives no initial state;
+  /// ConservationError if the cells do not receive the volumes of the bodies.
   template <int dim>
   GatherReport<dim>
   paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,

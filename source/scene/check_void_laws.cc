@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/scene/body_volume.h>
+#include <whipple/scene/void_law_check.h>
+#include <whipple/state/round_off_share.h>
+
+#include <cmath>
+#include <vector>
+
+namespace whipple::sections
+{
+  namespace
+  {
+    /// Part of the domain that bodies may leave free and still fill it.
+    constexpr double free_part = 1e-9;
+
+    template <int dim>
+    bool
+    lies_on_mesh_lines(const Scene<dim> &scene, const Body<dim> &body)
+    {
+      if (std::holds_alternative<Sphere<dim>>(body.shape))
+        return false;
+      const Box<dim>    box   = extent(body.shape);
+      const Vector<dim> upper = scene.upper_corner();
+      for (int d = 0; d < dim; ++d)
+        for (const double face : {box.lower[d], box.upper[d]})
+          {
+            const double cells = (face - scene.lattice.origin[d]) / scene.lattice.spacing;
+            if (face > scene.lattice.origin[d] && face < upper[d] &&
+                std::abs(cells - std::round(cells)) > round_off_share)
+              return false;
+          }
+      return true;
+    }
+
+    /// Whether the cells that these bodies have filled may all be full still.
+    template <int dim>
+    bool
+    can_be_full(const Scene<dim> &scene, const std::vector<std::size_t> &bodies)
+    {
+      const Vector<dim> &lower = scene.lattice.origin, upper = scene.upper_corner();
+      const Symmetry     symmetry = scene.lattice.symmetry;
+      double             filled   = 0;
+      bool               stays    = true;
+      for (const std::size_t b : bodies)
+        {
+          const Body<dim> &body = scene.bodies[b];
+          filled += body_volume<dim>(symmetry, body.shape, lower, upper);
+          stays = stays && body.velocity == Vector<dim>{} && !body.deposit && lies_on_mesh_lines(scene, body);
+        }
+      return stays || filled >= (1. - free_part) * body_volume<dim>(symmetry, Box<dim>{lower, upper}, lower, upper);
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  check_void_laws(SceneParameters &parameters, const Scene<dim> &scene)
+  {
+    std::vector<std::size_t> entered;
+    for (std::size_t s = 0; s < scene.stages.size(); ++s)
+      {
+        const Stage &stage = scene.stages[s];
+        entered.insert(entered.end(), stage.introduces.begin(), stage.introduces.end());
+        if (s == 0 || stage.mode != StageMode::lagrangian || scene.stages[s - 1].mode != StageMode::eulerian ||
+            stage.debris.void_cutoff < round_off_share || can_be_full(scene, entered))
+          continue;
+        for (const std::size_t b : entered)
+          {
+            const SceneMaterial &material = scene.materials[scene.bodies[b].material];
+            if (!material.model.void_law)
+              SceneSection(parameters, "Materials/" + material.name)
+                  .reject("Void law",
+                          "stage '" + stage.name +
+                              "' goes over from a fixed mesh to a moving one, whose "
+                              "elements have no open void beside the material: needed are a void law and the "
+                              "effect 'voids' (Effects/List)");
+          }
+      }
+  }
+
+  template void
+  check_void_laws(SceneParameters &, const Scene<2> &);
+} // namespace whipple::sections

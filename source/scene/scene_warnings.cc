@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/material/johnson_cook_damage.h>
+#include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/scene_warnings.h>
+#include <whipple/scene/units.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whipple
+{
+  template <int dim>
+  std::vector<std::string>
+  scene_warnings(const Scene<dim> &scene)
+  {
+    std::vector<std::string> all;
+    for (const auto &kind : {warnings::resolution<dim>, warnings::endless_stages<dim>, warnings::leaving_matter<dim>,
+                             warnings::damage_without_ductility<dim>, warnings::cost<dim>})
+      for (const std::string &line : kind(scene))
+        all.push_back(line);
+    return all;
+  }
+
+  template <int dim>
+  std::vector<double>
+  stage_times(const Scene<dim> &scene)
+  {
+    double fastest = 0, front = -std::numeric_limits<double>::infinity();
+    for (const Stage &stage : scene.stages)
+      for (const std::size_t b : stage.introduces)
+        if (const Body<dim> &body = scene.bodies[b]; body.velocity[1] > fastest)
+          {
+            fastest = body.velocity[1];
+            front   = extent(body.shape).upper[1];
+          }
+    std::vector<double> times{0.};
+    for (const Stage &stage : scene.stages)
+      {
+        const double start = times.back();
+        if (stage.end.kind == StageEnd::Kind::at_time)
+          times.push_back(std::max(start, stage.end.time));
+        else if (stage.end.kind == StageEnd::Kind::after)
+          times.push_back(start + stage.end.time);
+        else
+          {
+            const double way = extent(scene.bodies[stage.end.body].shape).lower[1] - front;
+            times.push_back(std::max(start, fastest > 0 ? way / fastest : std::numeric_limits<double>::infinity()));
+          }
+      }
+    return times;
+  }
+
+  namespace warnings
+  {
+    namespace
+    {
+      /// Extent of a body along an axis as the mesh sees it: what touches a symmetry plane goes on behind it, what
+      /// touches both sides of the domain goes on for ever.
+      template <int dim>
+      double
+      thickness(const Scene<dim> &scene, const Body<dim> &body, int axis)
+      {
+        const Box<dim> box = extent(body.shape);
+        const double   low = scene.lattice.origin[axis], high = scene.upper_corner()[axis];
+        const double   slack       = 1e-9 * scene.lattice.spacing;
+        const bool     touches_low = box.lower[axis] <= low + slack, touches_high = box.upper[axis] >= high - slack;
+        if (touches_low && touches_high)
+          return std::numeric_limits<double>::infinity();
+        const double inside   = std::min(box.upper[axis], high) - std::max(box.lower[axis], low);
+        const auto   mirrors  = [&](int side) { return scene.boundaries[side].kind == BoundaryKind::reflecting; };
+        const bool   mirrored = (touches_low && mirrors(2 * axis)) || (touches_high && mirrors(2 * axis + 1));
+        return mirrored ? 2. * inside : inside;
+      }
+    } // namespace
+
+    template <int dim>
+    std::vector<std::string>
+    resolution(const Scene<dim> &scene)
+    {
+      constexpr double least_cells = 2.5, least_sphere_cells = 10., round_off = 1e-9;
+      const double     cell  = scene.lattice.spacing;
+      const auto       cells = [&](double length) {
+        return rounded(length / cell) + " finest cells of " + units::format(cell, units::length);
+      };
+      std::vector<std::string> lines;
+      if (scene.mesh_map != MeshMap::none) // lengths on the lattice are not lengths in space
+        return lines;
+      for (const Body<dim> &body : scene.bodies)
+        if (const auto *sphere = std::get_if<Sphere<dim>>(&body.shape))
+          {
+            if (sphere->diameter < (1. - round_off) * least_sphere_cells * cell)
+              lines.push_back("body '" + body.name + "' has a diameter of " +
+                              units::format(sphere->diameter, units::length) + ", " + cells(sphere->diameter) +
+                              ": with fewer than 10 its shape and its shock are coarse");
+          }
+        else
+          {
+            double thinnest = std::numeric_limits<double>::infinity();
+            for (int d = 0; d < dim; ++d)
+              thinnest = std::min(thinnest, thickness(scene, body, d));
+            if (thinnest < (1. - round_off) * least_cells * cell)
+              lines.push_back("body '" + body.name + "' is " + units::format(thinnest, units::length) + " thin, " +
+                              cells(thinnest) + ": with fewer than 2.5 the mesh does not know where in a cell it is");
+          }
+      return lines;
+    }
+
+    template <int dim>
+    std::vector<std::string>
+    damage_without_ductility(const Scene<dim> &scene)
+    {
+      std::vector<std::string> lines;
+      for (const SceneMaterial &material : scene.materials)
+        if (const auto *damage = dynamic_cast<const JohnsonCookDamage *>(material.model.failure.get()))
+          if (const auto triaxiality = damage->end_of_ductility())
+            lines.push_back("material '" + material.name +
+                            "': the fit of its Johnson-Cook damage leaves no ductility "
+                            "where tension is above " +
+                            rounded(*triaxiality) +
+                            " of the equivalent stress; from where it "
+                            "falls below " +
+                            rounded(damage->least_ductility()) +
+                            " the strain at failure is held there ('Johnson-Cook damage least failure strain')");
+      return lines;
+    }
+
+    template std::vector<std::string>
+    resolution(const Scene<2> &);
+    template std::vector<std::string>
+    damage_without_ductility(const Scene<2> &);
+  } // namespace warnings
+
+  template std::vector<std::string>
+  scene_warnings(const Scene<2> &);
+  template std::vector<double>
+  stage_times(const Scene<2> &);
+} // namespace whipple
