@@ -13,7 +13,11 @@ Read are the records 201 (normal density) and 301 (total equation of state: g/cm
     scripts/convert_eos_table.py TEXT OUTPUT.h5 [--material 3720] [--temperature 298.15] [--density 2.7]
 
 Energies are counted from the state at rest, in which bodies enter a scene: at --temperature, the density next to the normal
-one at which the pressure is zero, or --density. Densities <= 0 (SESAME starts with one) are left out.
+one at which the pressure rises through zero, or through 1 bar where it never falls below zero (a gas; a table with Maxwell's
+construction, whose liquid ends in a plateau of the vapour's pressure: its end is made a row of the file, and so is the state
+at rest just above it). Or --density. Densities <= 0 (SESAME starts with one) are left out.
+
+Energies that do not rise along the temperature are counted on the last line: the program leaves those points out.
 
 Needs python3-h5py.
 """
@@ -25,6 +29,7 @@ import h5py
 import numpy
 
 ANEOS_RECORD = re.compile(r"\s*(INDEX|RECORD)\s+(?:MATID|TYPE)\s*=\s*(\d+)\s+NWDS\s*=\s*(\d+)")
+BAR = 1e-4  # GPa
 EXPONENT_WITHOUT_LETTER = re.compile(r"(\d)([+-]\d{3})$")  # Fortran's 1.0000000-100
 
 
@@ -124,16 +129,51 @@ class Table:
         return numpy.array([numpy.interp(temperature, self.temperature, row) for row in grid])
 
     def at_rest(self, normal_density, temperature):
-        """The density nearest to the normal one at which the pressure rises through zero; that one if there is none."""
+        """The density nearest to the normal one at which the pressure rises through zero, else through 1 bar; the normal
+        one if there is none. If the pressure comes out of a plateau there, rows are added."""
         pressure = self.isotherm(self.pressure, temperature)
-        roots = []
-        for i in numpy.nonzero((pressure[:-1] <= 0) & (pressure[1:] > 0))[0]:
-            low, high = self.density[i], self.density[i + 1]
-            for _ in range(60):
-                middle = 0.5 * (low + high)
-                low, high = (low, middle) if cubic(self.density, pressure, i, middle) > 0 else (middle, high)
-            roots.append(0.5 * (low + high))
-        return min(roots, key=lambda root: abs(root - normal_density), default=normal_density)
+        for level in (0., BAR):
+            crossed = numpy.nonzero((pressure[:-1] <= level) & (pressure[1:] > level))[0]
+            if len(crossed) == 0:
+                continue
+            ends = [self.ends_a_plateau(pressure, i) for i in crossed]
+            values = [(lambda x, i=i, end=end: (branch if end else cubic)(self.density, pressure, i, x))
+                      for i, end in zip(crossed, ends)]
+            roots = [bisect(value, level, *self.density[i:i + 2]) for value, i in zip(values, crossed)]
+            best = min(range(len(roots)), key=lambda k: abs(roots[k] - normal_density))
+            if ends[best]:
+                i, rest = crossed[best], roots[best]
+                edge = rest - BAR * (rest - self.density[i + 1]) / (values[best](rest) - pressure[i + 1])
+                self.add_rows(i, [density for density in (edge, rest) if density > self.density[i] * (1 + 1e-9)])
+            return roots[best]
+        return normal_density
+
+    def ends_a_plateau(self, pressure, i):
+        """Whether the pressure hardly rises below the interval i and steeply above it."""
+        if not 0 < i < len(pressure) - 3:
+            return False
+        below, above = (numpy.diff(pressure[k:k + 2])[0] / numpy.diff(self.density[k:k + 2])[0] for k in (i - 1, i + 1))
+        return abs(below) < 0.1 * above
+
+    def add_rows(self, i, densities):
+        """Rows in the interval i, each column interpolated from the side of the larger densities."""
+        columns = len(self.temperature)
+        pressure = [[branch(self.density, self.pressure[:, j], i, x) for j in range(columns)] for x in densities]
+        energy = [[branch(self.density, self.pressure[:, j], i, x, self.energy[:, j]) for j in range(columns)]
+                  for x in densities]
+        if densities:
+            self.pressure = numpy.insert(self.pressure, i + 1, pressure, axis=0)
+            self.energy = numpy.insert(self.energy, i + 1, energy, axis=0)
+            self.density = numpy.insert(self.density, i + 1, densities)
+
+    def not_rising(self):
+        """How many energies are not above all before them in their row; how far the lowest of them is below, and
+        where."""
+        highest = numpy.maximum.accumulate(self.energy, axis=1)
+        fall = highest - self.energy
+        i, j = numpy.unravel_index(numpy.argmax(fall), fall.shape)
+        count = int(numpy.sum(self.energy[:, 1:] <= highest[:, :-1]))
+        return count, fall[i, j], self.density[i], self.temperature[j]
 
     def energy_at(self, density, temperature):
         i = min(max(numpy.searchsorted(self.density, density, side="right") - 1, 0), len(self.density) - 2)
@@ -145,6 +185,26 @@ def cubic(x, y, i, where):
     begin = min(max(i - 1, 0), max(len(x) - 4, 0))
     points = range(begin, min(begin + 4, len(x)))
     return sum(y[j] * numpy.prod([(where - x[k]) / (x[j] - x[k]) for k in points if k != j]) for j in points)
+
+
+def branch(x, pressure, i, where, y=None):
+    """y (or the pressure) in the interval i without what lies below it: the polynomial through the points from i on, or from
+    i + 1 on if that meets the plateau of the pressure within the interval."""
+    y = pressure if y is None else y
+
+    def polynomial(values, points, at):
+        return sum(values[j] * numpy.prod([(at - x[k]) / (x[j] - x[k]) for k in points if k != j]) for j in points)
+    if polynomial(pressure, range(i + 1, i + 4), x[i]) >= pressure[i]:
+        return polynomial(y, range(i, i + 4), where)
+    value = polynomial(y, range(i + 1, i + 4), where) if y is pressure else numpy.interp(where, x[i:i + 2], y[i:i + 2])
+    return min(max(value, min(y[i:i + 2])), max(y[i:i + 2]))
+
+
+def bisect(function, level, low, high):
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if function(middle) > level else (middle, high)
+    return high
 
 
 def write(path, table, density, energy, source):
@@ -179,6 +239,10 @@ def main():
     write(arguments.output, table, density, energy, f"{arguments.text}, material {material}")
     print(f"{arguments.output}: {len(table.density)} densities, {len(table.temperature)} temperatures; at rest "
           f"{density:.6g} g/cm^3, {arguments.temperature:g} K, energy {energy:.6g} MJ/kg of the text counts as zero")
+    count, fall, at_density, at_temperature = table.not_rising()
+    if count > 0:
+        print(f"{arguments.output}: {count} of {table.energy.size} energies do not rise along the temperature and are left out "
+              f"by the program; the deepest lies {fall:.3g} MJ/kg too low, at {at_density:.6g} g/cm^3, {at_temperature:.6g} K")
 
 
 if __name__ == "__main__":

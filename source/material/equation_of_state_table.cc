@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/material/equation_of_state_table.h>
 #include <whipple/material/piecewise_cubic.h>
+#include <whipple/material/rising_points.h>
 #include <whipple/material/table_field.h>
 
 #include <algorithm>
@@ -19,6 +20,12 @@ namespace whipple
     const TableField::Units temperature_units{{"K", 1.}, {"eV", 11604.518}};
     const TableField::Units fraction_units{{"1", 1.}};
 
+    // Far beyond what tables hold (the interior of a white dwarf): a wrong unit or a broken file.
+    constexpr double largest_density = 1e12, largest_energy = 1e15, largest_pressure = 1e22, largest_temperature = 1e16;
+
+    /// Energies fall along T where branches of a table were joined: real tables by up to 0.06 % of a row's range.
+    constexpr double largest_fall_of_energy = 0.01;
+
     /// Fields over (density, the second axis of the file), rows of a density.
     struct Grid
     {
@@ -30,13 +37,14 @@ namespace whipple
     {
       Grid             grid;
       const TableField pressure(file, "pressure", pressure_units, extent);
-      pressure.require_not_falling();
+      pressure.require_at_most(largest_pressure);
       grid.pressure = pressure.values();
       if (with_temperature && file.has("temperature"))
         {
           const TableField temperature(file, "temperature", temperature_units, extent);
           temperature.require_positive();
           temperature.require_rising();
+          temperature.require_at_most(largest_temperature);
           grid.temperature = temperature.values();
         }
       for (const auto &[name, values] :
@@ -50,23 +58,45 @@ namespace whipple
       return grid;
     }
 
+    /// Those points of a row over temperature that have energies of their own (rising_points()).
+    struct Row
+    {
+      std::vector<std::size_t> points;
+      std::vector<double>      heat; ///< of the points, from 0
+    };
+
+    std::vector<Row>
+    rows_of(const TableField &energy, std::size_t m)
+    {
+      std::vector<Row>              rows;
+      const std::span<const double> all(energy.values());
+      for (std::size_t k = 0; k < all.size(); k += m)
+        {
+          Row row{rising_points(all.subspan(k, m)), {}};
+          if (row.points.size() < 2)
+            energy.reject(k, "fewer than two energies of this row rise; must rise with temperature");
+          for (const std::size_t j : row.points)
+            row.heat.push_back(all[k + j] - all[k + row.points[0]]);
+          rows.push_back(std::move(row));
+        }
+      return rows;
+    }
+
     /// The heat of the row nearest to the reference density, and beyond it the largest of any row.
     std::vector<double>
-    common_heat(const EquationOfStateTable &table, const std::vector<double> &energy, std::size_t m)
+    common_heat(const EquationOfStateTable &table, const std::vector<Row> &rows)
     {
       std::size_t nearest = 0;
       double      largest = 0;
-      for (std::size_t i = 0; i < table.density.size(); ++i)
+      for (std::size_t i = 0; i < rows.size(); ++i)
         {
           if (std::abs(table.density[i] - table.reference_density) <
               std::abs(table.density[nearest] - table.reference_density))
             nearest = i;
-          largest = std::max(largest, energy[i * m + m - 1] - energy[i * m]);
+          largest = std::max(largest, rows[i].heat.back());
         }
-      std::vector<double> heat(m);
-      for (std::size_t j = 0; j < m; ++j)
-        heat[j] = energy[nearest * m + j] - energy[nearest * m];
-      if (largest > heat.back())
+      std::vector<double> heat = rows[nearest].heat;
+      if (largest > (1. + table_rounding) * heat.back())
         heat.push_back(largest);
       return heat;
     }
@@ -80,73 +110,93 @@ namespace whipple
     };
 
     void
-    append_row(const std::vector<double> &row_heat, const double *row, Between between, const std::vector<double> &heat,
+    append_row(const Row &row, const double *all, Between between, const std::vector<double> &heat,
                std::vector<double> &values)
     {
-      const std::size_t m = row_heat.size();
+      std::vector<double> given;
+      for (const std::size_t j : row.points)
+        given.push_back(all[j]);
       if (between == Between::cubic)
         {
-          const std::vector<double> values_of_row(row, row + m);
-          const PiecewiseCubic      cubic(row_heat, values_of_row, monotone_slopes(row_heat, values_of_row, 3.));
+          const PiecewiseCubic cubic(row.heat, given, monotone_slopes(row.heat, given, 3.));
           for (const double h : heat)
             values.push_back(cubic.at(h).value);
         }
       else
         for (const double h : heat)
           {
-            const std::size_t j     = find_interval(row_heat, h, 0);
-            const double      share = std::clamp((h - row_heat[j]) / (row_heat[j + 1] - row_heat[j]), 0., 1.);
-            values.push_back((1. - share) * row[j] + share * row[j + 1]);
+            const std::size_t j     = find_interval(row.heat, h, 0);
+            const double      share = std::clamp((h - row.heat[j]) / (row.heat[j + 1] - row.heat[j]), 0., 1.);
+            values.push_back((1. - share) * given[j] + share * given[j + 1]);
           }
     }
 
     /// From (density, temperature) to (density, heat).
     void
-    resample(const std::vector<double> &energy, const Grid &grid, std::size_t m, EquationOfStateTable &table)
+    resample(const std::vector<Row> &rows, const Grid &grid, std::size_t m, EquationOfStateTable &table)
     {
-      table.heat = common_heat(table, energy, m);
-      std::vector<double> row_heat(m);
-      for (std::size_t i = 0; i < table.density.size(); ++i)
+      table.heat = common_heat(table, rows);
+      for (std::size_t i = 0; i < rows.size(); ++i)
         {
-          for (std::size_t j = 0; j < m; ++j)
-            row_heat[j] = energy[i * m + j] - energy[i * m];
-          append_row(row_heat, &grid.pressure[i * m], Between::cubic, table.heat, table.pressure);
-          append_row(row_heat, &grid.temperature[i * m], Between::cubic, table.heat, table.temperature);
+          append_row(rows[i], &grid.pressure[i * m], Between::cubic, table.heat, table.pressure);
+          append_row(rows[i], &grid.temperature[i * m], Between::cubic, table.heat, table.temperature);
           if (!grid.melt_fraction.empty())
-            append_row(row_heat, &grid.melt_fraction[i * m], Between::line, table.heat, table.melt_fraction);
+            append_row(rows[i], &grid.melt_fraction[i * m], Between::line, table.heat, table.melt_fraction);
           if (!grid.vapour_fraction.empty())
-            append_row(row_heat, &grid.vapour_fraction[i * m], Between::line, table.heat, table.vapour_fraction);
+            append_row(rows[i], &grid.vapour_fraction[i * m], Between::line, table.heat, table.vapour_fraction);
         }
     }
 
+    /// In internal units.
+    double
+    reference_energy(const Hdf5File &file, double unit)
+    {
+      const double value = file.attribute("reference_energy");
+      if (!(std::abs(value) * unit <= largest_energy))
+        {
+          std::ostringstream text, allowed;
+          text << value;
+          allowed << "must be an energy of at most " << largest_energy / unit << " in size, in the units of 'energy'";
+          throw InputError(file.path(), "attribute reference_energy", text.str(), allowed.str());
+        }
+      return value * unit;
+    }
+
     void
-    read_over_temperature(const Hdf5File &file, double reference_energy, EquationOfStateTable &table)
+    read_over_temperature(const Hdf5File &file, EquationOfStateTable &table)
     {
       const std::size_t n = table.density.size();
       const TableField  temperature(file, "temperature", temperature_units, {0});
       temperature.require_rising();
+      temperature.require_not_negative();
+      temperature.require_at_most(largest_temperature);
       const std::size_t m = temperature.values().size();
       const TableField  energy(file, "energy", energy_units, {n, m});
-      energy.require_rising();
-      Grid grid = read_grid(file, {n, m}, false);
+      energy.require_at_most(largest_energy);
+      energy.require_nearly_rising(largest_fall_of_energy);
+      const double           reference = reference_energy(file, energy.unit());
+      const std::vector<Row> rows      = rows_of(energy, m);
+      Grid                   grid      = read_grid(file, {n, m}, false);
       for (std::size_t i = 0; i < n; ++i)
         {
           grid.temperature.insert(grid.temperature.end(), temperature.values().begin(), temperature.values().end());
-          table.lowest_energy.push_back(energy.values()[i * m] - reference_energy * energy.unit());
+          table.lowest_energy.push_back(energy.values()[i * m + rows[i].points[0]] - reference);
+          table.points_left_out += m - rows[i].points.size();
         }
-      resample(energy.values(), grid, m, table);
+      resample(rows, grid, m, table);
     }
 
     void
-    read_over_energy(const Hdf5File &file, double reference_energy, EquationOfStateTable &table)
+    read_over_energy(const Hdf5File &file, EquationOfStateTable &table)
     {
       const std::size_t n = table.density.size();
       const TableField  energy(file, "energy", energy_units, {0});
       energy.require_rising();
+      energy.require_at_most(largest_energy);
       const double lowest = energy.values().front();
       for (const double e : energy.values())
         table.heat.push_back(e - lowest);
-      table.lowest_energy.assign(n, lowest - reference_energy * energy.unit());
+      table.lowest_energy.assign(n, lowest - reference_energy(file, energy.unit()));
       Grid grid             = read_grid(file, {n, energy.values().size()}, true);
       table.pressure        = std::move(grid.pressure);
       table.temperature     = std::move(grid.temperature);
@@ -171,6 +221,7 @@ namespace whipple
     const TableField density(file, "density", density_units, {0});
     density.require_positive();
     density.require_rising();
+    density.require_at_most(largest_density);
     table.density           = density.values();
     table.reference_density = file.attribute("reference_density") * density.unit();
     require_two(path, "density", table.density.size());
@@ -182,13 +233,12 @@ namespace whipple
                 << table.density.back() << " g/cm^3";
         throw InputError(path, "attribute reference_density", value.str(), allowed.str());
       }
-    const double reference_energy = file.attribute("reference_energy");
     if (!file.has("energy"))
       throw InputError(path + ": dataset 'energy' is missing");
     if (file.read("energy").extent.size() == 1)
-      read_over_energy(file, reference_energy, table);
+      read_over_energy(file, table);
     else
-      read_over_temperature(file, reference_energy, table);
+      read_over_temperature(file, table);
     require_two(path, "energy or temperature", table.heat.size());
     if (file.has("melt_temperature"))
       {

@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/material/table_field.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -63,17 +64,36 @@ namespace whipple
   void
   TableField::require_rising() const
   {
+    // closer neighbours have no slope between them that means anything
+    constexpr double rounding = 1e-12;
     for (std::size_t k = 1; k < values_.size(); ++k)
-      if (k % extent_.back() != 0 && !(values_[k] > values_[k - 1]))
-        reject(k, "must be greater than the value before it");
+      {
+        const double before = values_[k - 1], size = std::max(std::abs(values_[k]), std::abs(before));
+        if (k % extent_.back() != 0 && !(values_[k] > before + rounding * size))
+          reject(k, "must be greater than the value before it");
+      }
   }
 
   void
-  TableField::require_not_falling() const
+  TableField::require_nearly_rising(double share) const
   {
-    for (std::size_t k = 1; k < values_.size(); ++k)
-      if (k % extent_.back() != 0 && !(values_[k] >= values_[k - 1]))
-        reject(k, "must not be less than the value before it");
+    const std::size_t m = extent_.back();
+    for (std::size_t row = 0; row < values_.size(); row += m)
+      {
+        const auto [low, high] = std::minmax_element(values_.begin() + row, values_.begin() + row + m);
+        double largest         = values_[row];
+        for (std::size_t k = row; k < row + m; ++k)
+          {
+            largest = std::max(largest, values_[k]);
+            if (largest - values_[k] > share * (*high - *low))
+              {
+                std::ostringstream allowed;
+                allowed << "must not lie below a value before it in the row (" << largest / unit_ << ") by more than "
+                        << 100. * share << " % of the row's range";
+                reject(k, allowed.str());
+              }
+          }
+      }
   }
 
   void
@@ -82,6 +102,26 @@ namespace whipple
     for (std::size_t k = 0; k < values_.size(); ++k)
       if (!(values_[k] > 0.))
         reject(k, "must be > 0");
+  }
+
+  void
+  TableField::require_not_negative() const
+  {
+    for (std::size_t k = 0; k < values_.size(); ++k)
+      if (!(values_[k] >= 0.))
+        reject(k, "must be >= 0");
+  }
+
+  void
+  TableField::require_at_most(double largest) const
+  {
+    for (std::size_t k = 0; k < values_.size(); ++k)
+      if (!(std::abs(values_[k]) <= largest))
+        {
+          std::ostringstream allowed;
+          allowed << "must be at most " << largest / unit_ << " " << unit_name_ << " in size";
+          reject(k, allowed.str());
+        }
   }
 
   void

@@ -20,6 +20,25 @@ namespace whipple
   {
     if (!table.temperature.empty())
       temperature_.emplace(table.density, table.heat, table.temperature);
+    check_at_rest();
+  }
+
+  void
+  Tabulated::check_at_rest() const
+  {
+    // 1 m/s and 100 km/s: slower than any gas, faster than any solid
+    constexpr double   slowest = 1e-4, fastest = 10.;
+    BicubicTable::Cell cell;
+    const double       gamma = table_.reference_density;
+    const State        rest  = state(gamma, 0., cell);
+    const double       c2    = rest.dp_dgamma + rest.pressure / (gamma * gamma) * rest.dp_de;
+    if (!(c2 >= slowest * slowest && c2 <= fastest * fastest))
+      {
+        std::ostringstream value;
+        value << c2;
+        throw InputError(table_.path, "square of the sound speed at reference_density and reference_energy, cm^2/us^2",
+                         value.str(), "must be in 1e-8 ... 100, as that of a state in which matter can rest");
+      }
   }
 
   inline Tabulated::State
@@ -52,8 +71,9 @@ namespace whipple
   Tabulated::energy_of_pressure(double gamma, double pressure) const
   {
     check_density(gamma);
-    if (const auto heat = pressure_.find_y(gamma, pressure))
-      return lowest_energy_.at(gamma).value + *heat;
+    const double lowest = lowest_energy_.at(gamma).value;
+    if (const auto heat = pressure_.find_y(gamma, pressure, -lowest))
+      return lowest + *heat;
     std::ostringstream message;
     message << name() << " (" << table_.path << "): at density " << gamma << " g/cm^3 no energy gives a pressure of "
             << pressure << " Mbar";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/scene/material_effects.h>
+#include <whipple/scene/plausible.h>
 #include <whipple/scene/sections.h>
 
 namespace whipple::sections
@@ -71,7 +72,7 @@ namespace whipple::sections
     double
     energy_of_pressure(const SceneSection &section, const EquationOfState &eos, double density, double solid_share)
     {
-      const double pressure = section.quantity("Pressure", units::pressure) / solid_share;
+      const double pressure = plausible::pressure(section, "Pressure", section.text("Pressure")) / solid_share;
       try
         {
           return eos.energy_of_pressure(density / solid_share, pressure);

@@ -21,6 +21,16 @@ namespace whipple::sections
       return std::holds_alternative<Plate<dim>>(shape) ? "Front face" : "Lower corner";
     }
 
+    /// The key that says how large a body is.
+    template <int dim>
+    std::string
+    size_key(const Shape<dim> &shape)
+    {
+      if (std::holds_alternative<Sphere<dim>>(shape))
+        return "Diameter";
+      return std::holds_alternative<Plate<dim>>(shape) ? "Thickness" : "Upper corner";
+    }
+
     /// Whether the part of the body below axis 0 = 0 is the mirror image of the part above.
     template <int dim>
     bool
@@ -60,6 +70,24 @@ namespace whipple::sections
         }
     }
 
+    /// A body that is a speck of one cell has a mass and no shape: cells or body are given in another unit than meant.
+    template <int dim>
+    void
+    check_size(const SceneSection &section, const Body<dim> &body, const Scene<dim> &scene)
+    {
+      constexpr double smallest = 0.01; // cells
+      const Box<dim>   box      = extent(body.shape);
+      for (int d = 0; d < dim; ++d)
+        if (!(box.upper[d] - box.lower[d] >= smallest * scene.lattice.spacing))
+          {
+            std::ostringstream text;
+            text << "the body is " << box.upper[d] - box.lower[d] << " cm thick along axis " << d
+                 << " and the finest cell " << scene.lattice.spacing << " cm; allowed is a body of at least "
+                 << smallest << " cells";
+            section.reject(size_key(body.shape), text.str());
+          }
+    }
+
     template <int dim>
     void
     check_axisymmetric(const SceneSection &section, const Body<dim> &body)
@@ -93,6 +121,7 @@ namespace whipple::sections
         if (scene.lattice.symmetry == Symmetry::axisymmetric)
           check_axisymmetric(section, body);
         check_inside_domain(section, body, scene);
+        check_size(section, body, scene);
         if (body.deposit)
           check_deposit(section, body);
         for (std::size_t other = 0; other < b; ++other)

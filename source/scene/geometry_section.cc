@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/scene/plausible.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ namespace whipple::sections
       else if (const auto pressure = text_after("pressure", text))
         {
           boundary.kind     = BoundaryKind::pressure;
-          boundary.pressure = section.parse(side, *pressure, units::pressure);
+          boundary.pressure = plausible::pressure(section, side, *pressure);
         }
       else
         section.reject(side, "allowed are reflecting, transmitting, keep velocity, exact, inflow with a velocity such "

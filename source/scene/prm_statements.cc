@@ -2,8 +2,11 @@
 #include <whipple/error.h>
 #include <whipple/scene/prm_statements.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <set>
+#include <system_error>
 
 namespace whipple
 {
@@ -37,6 +40,47 @@ namespace whipple
       return true;
     }
 
+    /// @throws InputError if a text holds a control character: it would go into logs, plots and messages.
+    void
+    reject_control_characters(const std::string &origin, const std::string &text)
+    {
+      const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+      const auto found      = std::find_if(text.begin(), text.end(), is_control);
+      if (found == text.end())
+        return;
+      constexpr char    digits[] = "0123456789abcdef";
+      const auto        c        = static_cast<unsigned char>(*found);
+      const std::string code{'0', 'x', digits[c / 16], digits[c % 16]};
+      throw InputError(origin + ": control character " + code + " at column " +
+                       std::to_string(found - text.begin() + 1) + "; allowed is plain text (UTF-8)");
+    }
+
+    /// A scene is a file of text and not what never ends or is something else; without the mark that some editors put
+    /// at the start of UTF-8.
+    std::ifstream
+    open_text(const std::string &file)
+    {
+      constexpr std::uintmax_t largest = 16 << 20; // bytes
+      std::error_code          error;
+      const auto               status = std::filesystem::status(file, error);
+      if (std::filesystem::exists(status) && status.type() != std::filesystem::file_type::regular)
+        throw InputError(file + ": is no file (a folder, pipe or device); give the path of a scene file (.prm)");
+      std::ifstream input(file, std::ios::binary);
+      if (!input)
+        throw InputError(file + ": cannot be read; give the path of a scene file (.prm)");
+      if (const std::uintmax_t size = std::filesystem::file_size(file, error); !error && size > largest)
+        throw InputError(file + ": has " + std::to_string(size) + " bytes; allowed are scene files (.prm) of at most " +
+                         std::to_string(largest));
+      constexpr char mark[] = "\xef\xbb\xbf";
+      char           first[3];
+      if (!input.read(first, 3) || !std::equal(first, first + 3, mark))
+        {
+          input.clear();
+          input.seekg(0);
+        }
+      return input;
+    }
+
     std::string
     join(const std::vector<std::string> &path)
     {
@@ -48,7 +92,7 @@ namespace whipple
 
     /// Next logical line, comment removed and continuations joined; false at the end of the file.
     bool
-    next_line(std::istream &input, int &line_number, std::string &line)
+    next_line(std::istream &input, const std::string &file, int &line_number, std::string &line)
     {
       line.clear();
       bool        any = false, more = true;
@@ -59,7 +103,8 @@ namespace whipple
           any                = true;
           const auto comment = physical.find('#');
           physical           = squeeze(physical.substr(0, comment));
-          more               = !physical.empty() && physical.back() == '\\';
+          reject_control_characters(file + ":" + std::to_string(line_number), physical);
+          more = !physical.empty() && physical.back() == '\\';
           if (more)
             physical.pop_back();
           line += physical;
@@ -72,15 +117,13 @@ namespace whipple
   std::vector<PrmStatement>
   read_prm_statements(const std::string &file)
   {
-    std::ifstream input(file);
-    if (!input)
-      throw InputError(file + ": cannot be read; give the path of a scene file (.prm)");
+    std::ifstream input = open_text(file);
 
     std::vector<PrmStatement> statements;
     std::vector<std::string>  path;
     std::set<std::string>     names;
     std::string               line, rest;
-    for (int number = 0; next_line(input, number, line);)
+    for (int number = 0; next_line(input, file, number, line);)
       {
         const std::string origin = file + ":" + std::to_string(number);
         if (line.empty())
@@ -113,6 +156,7 @@ namespace whipple
   PrmStatement
   read_override(const std::string &text)
   {
+    reject_control_characters("--set", squeeze(text));
     const auto        equals = text.find('=');
     const std::string name   = squeeze(text.substr(0, equals));
     const auto        slash  = name.rfind('/');

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/scene/nearest_name.h>
+#include <whipple/scene/plausible.h>
 #include <whipple/scene/section.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace whipple
 {
@@ -114,14 +116,21 @@ namespace whipple
     if (part.empty())
       reject(key, std::string("must be given; allowed is ") + (n > 1 ? std::to_string(n) + " times " : "") + "a " +
                       what.name + " such as " + what.example);
+    std::vector<double> values;
     try
       {
-        return units::parse_list(part, what, n);
+        values = units::parse_list(part, what, n);
       }
     catch (const InputError &error)
       {
         reject(key, error.what());
       }
+    const double largest = plausible::largest(what);
+    for (const double value : values)
+      if (!(std::abs(value) <= largest))
+        reject(key, std::string("too large; allowed is a ") + what.name + " such as " + what.example + ", at most " +
+                        units::format(largest, what));
+    return values;
   }
 
   std::optional<std::string>

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace whipple::units
 {
@@ -132,6 +133,17 @@ namespace whipple::units
                          "' cannot be read; write units like cm, km/s, g/cm^3, J/(kg K)");
       }
 
+      /// Powers of powers stay small enough that the next one does not overflow.
+      void
+      check(const Scale &scale) const
+      {
+        constexpr int    largest = 1000;
+        const Dimension &d       = scale.dimension;
+        for (const int power : {scale.exponent, d.length, d.mass, d.time, d.temperature})
+          if (std::abs(power) > largest)
+            fail();
+      }
+
       void
       skip_blanks()
       {
@@ -159,6 +171,7 @@ namespace whipple::units
             if (sign > 0)
               accept('*');
             scale.multiply(factor(), sign);
+            check(scale);
           }
         return scale;
       }
@@ -166,17 +179,22 @@ namespace whipple::units
       Scale
       factor()
       {
-        Scale base;
+        constexpr int deepest = 8;
+        Scale         base;
         if (accept('('))
           {
+            if (++depth_ > deepest)
+              fail();
             base = product();
             if (!accept(')'))
               fail();
+            --depth_;
           }
         else
           base = symbol();
         Scale scale;
         scale.multiply(base, accept('^') ? power() : 1);
+        check(scale);
         return scale;
       }
 
@@ -206,7 +224,8 @@ namespace whipple::units
       }
 
       std::string_view text_;
-      std::size_t      at_ = 0;
+      std::size_t      at_    = 0;
+      int              depth_ = 0; ///< open brackets
     };
 
     std::string_view
@@ -235,8 +254,11 @@ namespace whipple::units
       int               written  = 0;
       if (e != std::string::npos)
         {
-          const char *begin = digits.c_str() + e + 1;
-          std::from_chars(*begin == '+' ? begin + 1 : begin, digits.c_str() + digits.size(), written);
+          constexpr int largest = 1'000'000; // no double reaches it; sums of exponents stay far from overflow
+          const char   *begin   = digits.c_str() + e + 1;
+          const auto read = std::from_chars(*begin == '+' ? begin + 1 : begin, digits.c_str() + digits.size(), written);
+          if (read.ec != std::errc{} || std::abs(written) > largest)
+            return std::nan("");
         }
       const std::string decimal = mantissa + "e" + std::to_string(written + exponent);
       double            value   = 0;

@@ -9,9 +9,8 @@
 namespace whipple
 {
   /// A function of x and y given on a grid: bicubic Hermite interpolation with continuous first derivatives, monotone
-  /// along every grid line where the data are, and monotone in y on all of an interval of x on whose two grid lines the
-  /// data do not fall with y. Beyond the grid it is continued linearly in the direction that leaves it, C1 as well
-  /// (doc/theory/equation_of_state_tables.md).
+  /// along every grid line where the data are. Beyond the grid it is continued linearly in the direction that leaves
+  /// it, C1 as well (doc/theory/equation_of_state_tables.md).
   class BicubicTable
   {
   public:
@@ -34,9 +33,10 @@ namespace whipple
     Point
     at(double x, double y, Cell &hint) const;
 
-    /// A y at which a function that does not fall with y has a value at this x; none if there is none.
+    /// Of the y at which the function has a value at this x, the one nearest to `near`; none if there is none. Where
+    /// the function turns between two grid lines of y and comes back before the second, both y are overlooked.
     std::optional<double>
-    find_y(double x, double value) const;
+    find_y(double x, double value, double near) const;
 
     const std::vector<double> &
     x() const
@@ -62,14 +62,9 @@ namespace whipple
       return nodes_[i * y_.size() + j];
     }
 
-    /// Reduce f_x and f_xy at nodes until nothing between two rising grid lines falls.
-    void
-    make_rising();
-
-    /// Of one side (0: lower x, 1: upper) of a cell: whether the inner control points of the Bezier net next to it
-    /// rise.
-    bool
-    rises(std::size_t i, std::size_t j, int side) const;
+    /// The y in the interval j at which the function has a value at this x that lies between those at its ends.
+    double
+    find_y_within(double x, double value, std::size_t j) const;
 
     std::vector<double> x_, y_;
     std::vector<Node>   nodes_;

@@ -16,15 +16,17 @@ namespace whipple
     std::vector<double> density;               ///< strictly ascending, > 0
     std::vector<double> heat;                  ///< strictly ascending, from 0
     std::vector<double> lowest_energy;         ///< e at heat 0, of each density, counted from the reference energy
-    std::vector<double> pressure;              ///< does not fall with heat
+    std::vector<double> pressure;              ///< of any sign and direction
     std::vector<double> temperature;           ///< rises with heat
     std::vector<double> melt_fraction;         ///< in 0 ... 1
     std::vector<double> vapour_fraction;       ///< in 0 ... 1
     std::vector<double> melt_temperature;      ///< of each density
+    std::size_t         points_left_out = 0;   ///< of the file: their energies do not rise with temperature
   };
 
   /// Read a file over (density, energy) as it is; one over (density, temperature) is resampled row by row with monotone
-  /// cubics, pressure and temperature over the heat of each density.
+  /// cubics, pressure and temperature over the heat of each density, from those points of the row whose energies rise
+  /// (rising_points()).
   /// @throws InputError (one line: file, dataset, index, value, what is allowed) for a file that is not such a table.
   EquationOfStateTable
   read_equation_of_state_table(const std::string &path);

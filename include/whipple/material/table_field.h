@@ -26,16 +26,23 @@ namespace whipple
       return values_;
     }
 
-    /// Strictly, along the last index.
+    /// Strictly, along the last index, by more than the rounding of a double.
     void
     require_rising() const;
 
-    /// The same, but neighbours may be equal.
+    /// Along the last index it may be level, and fall by at most `share` of the range of the row.
     void
-    require_not_falling() const;
+    require_nearly_rising(double share) const;
 
     void
     require_positive() const;
+
+    void
+    require_not_negative() const;
+
+    /// In size, in internal units.
+    void
+    require_at_most(double largest) const;
 
     /// In 0 ... 1.
     void
@@ -48,11 +55,11 @@ namespace whipple
       return unit_;
     }
 
-  private:
-    /// @throws InputError for values_[k].
+    /// @throws InputError for values()[k].
     [[noreturn]] void
     reject(std::size_t k, const std::string &allowed) const;
 
+  private:
     std::string              path_, dataset_, unit_name_;
     std::vector<std::size_t> extent_;
     std::vector<double>      values_;

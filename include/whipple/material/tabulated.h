@@ -13,14 +13,16 @@ namespace whipple
 {
   /// Equation of state from a table: P_s(gamma, e) = F(gamma, e - e0(gamma)), with e0 the energy of the lowest row at
   /// each density, F a monotone bicubic and e0 a cubic interpolant. Derivatives and c^2 are exactly those of F
-  /// and e0, all continuous. Beyond the table F and e0 go on linearly, so that every state has a pressure; F does not
-  /// fall with e. With temperatures in the file also a thermal model. doc/theory/equation_of_state_tables.md.
+  /// and e0, all continuous. Beyond the table F and e0 go on linearly, so that every state has a pressure. F may fall
+  /// with e where the table does. With temperatures in the file also a thermal model.
+  /// doc/theory/equation_of_state_tables.md.
   class Tabulated : public EquationOfState, public ThermalModel
   {
   public:
-    /// @throws InputError as read_equation_of_state_table() does.
+    /// @throws InputError as read_equation_of_state_table() does, and as below.
     explicit Tabulated(const std::string &path);
 
+    /// @throws InputError if the state at rest has no real sound speed, or one that no matter has.
     explicit Tabulated(const EquationOfStateTable &table);
 
     void
@@ -29,6 +31,7 @@ namespace whipple
     void
     derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
                 std::span<double> dp_de) const override;
+    /// Where several energies have that pressure, the one nearest to that of the state at rest.
     double
     energy_of_pressure(double gamma, double pressure) const override;
     double
@@ -69,6 +72,9 @@ namespace whipple
 
   private:
     using State = pointwise::Value;
+
+    void
+    check_at_rest() const;
 
     /// @param hint cell that is tried first, and the one found.
     State
