@@ -121,8 +121,7 @@ namespace whipple::material_passes
         if (material.has_voids())
           for (Index cell = 0; cell < n_cells; ++cell)
             material.pressure[cell] *= 1. - material.void_fraction[cell];
-        else
-          solid_state::part_in_tension(scratch.true_density, materials[m].eos->reference_density(), material.pressure);
+        solid_state::part_in_tension(scratch.true_density, materials[m].eos->reference_density(), material.pressure);
         for (Index cell = 0; cell < n_cells; ++cell)
           {
             const bool there           = material.mass[cell] > materials[m].trace_density * state.volume[cell];

@@ -21,9 +21,11 @@ namespace whipple::solid_state
         result[c] = density[c] > 0 ? density[c] / (1. - void_fraction[c]) : reference;
   }
 
-  /// Matter without a void law cannot open pores, but it parts all the same where it is stretched beyond what any bond
-  /// bears: its tension fades between 0.85 and 0.7 of the reference density, P -> P S((gamma/gamma0 - 0.7) / 0.15), S =
-  /// 3 x^2 - 2 x^3. Without that a thin tail of a metal pulls with some 0.3 Mbar (doc/theory/voids.md).
+  /// Matter parts where it is stretched beyond what any bond bears, whether or not a void law has had the time to open
+  /// pores: tension fades between 0.85 and 0.7 of the reference density, P -> P S((gamma/gamma0 - 0.7) / 0.15), S = 3
+  /// x^2
+  /// - 2 x^3. Without that a thin tail of a metal pulls with some 0.3 Mbar (doc/theory/voids.md).
+  /// @param density true density gamma, g/cm^3   @param pressure of the bulk or the solid
   inline void
   part_in_tension(const std::vector<double> &density, double reference, std::vector<double> &pressure)
   {
