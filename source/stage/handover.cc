@@ -74,6 +74,21 @@ namespace whipple
       return stage.cohesion == Cohesion::fragments ? 0 : halo_width<dim>;
     }
 
+    /// Cells around solid that may be asked for beyond the scene's buffer.
+    constexpr int largest_buffer = 1024;
+
+    /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
+    template <int dim>
+    std::vector<std::uint8_t>
+    guard_flags(const FlatPartition<dim> &view)
+    {
+      std::vector<double> guard(view.mesh.n_cells, 0.);
+      for (const Index c : Regridding<dim>::guard_cells(view.mesh))
+        guard[c] = 1.;
+      view.halo.exchange(std::vector<std::vector<double> *>{&guard}, {});
+      return {guard.begin(), guard.end()};
+    }
+
     template <int dim>
     double
     solid_fraction(const CellPacketLayout<dim> &layout, const CellPacket &packet)
@@ -115,6 +130,18 @@ namespace whipple
 
   template <int dim>
   void
+  Handover<dim>::lay_anew(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    Stage between = stage;
+    between.introduces.clear();
+    between.representation = Representation::distended;
+    lay_down(between, domain, ledger);
+    take_up(between, false, domain, ledger);
+    spread(between, domain, ledger);
+  }
+
+  template <int dim>
+  void
   Handover<dim>::start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
     RefinementMap<dim> map(scene_.lattice);
@@ -146,12 +173,9 @@ namespace whipple
 
   template <int dim>
   void
-  Handover<dim>::lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  Handover<dim>::build_around(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout,
+                              const Stage &stage, int buffer, Domain<dim> &domain) const
   {
-    const MPI_Comm communicator = domain.communicator();
-    const auto     layout       = CellPacketLayout<dim>::of(domain.state);
-    const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
-
     RefinementMap<dim> map(scene_.lattice);
     for (const Element<dim> &element : elements)
       {
@@ -162,16 +186,44 @@ namespace whipple
           inside = inside && box[1][d] > scene_.lattice.origin[d] && box[0][d] < upper[d];
         if (inside)
           map.request(regridding_.need().of_solid_fraction(solid_fraction(layout, element.packet)), box[0], box[1],
-                      scene_.mesh.buffer);
+                      buffer);
       }
     request_bodies(scene_, &regridding_.need(), std::span<const std::size_t>(stage.introduces), map);
-    map.synchronise(communicator);
+    map.synchronise(domain.communicator());
     regridding_.build(domain, map);
-    paint(stage, domain, ledger);
+  }
 
-    const ToEulerianReport<dim> report =
-        to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
-                    scene_.boundaries, stage.lost_kinetic_energy, domain.state);
+  template <int dim>
+  void
+  Handover<dim>::lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    const MPI_Comm communicator = domain.communicator();
+    const auto     layout       = CellPacketLayout<dim>::of(domain.state);
+    const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
+
+    // where pieces overlap, what does not fit needs room: if the mesh around them has too little, more of it
+    const Ledger<dim>     before = ledger;
+    ToEulerianReport<dim> report;
+    for (int buffer = scene_.mesh.buffer;; buffer *= 2)
+      {
+        build_around(elements, layout, stage, buffer, domain);
+        ledger = before;
+        paint(stage, domain, ledger);
+        try
+          {
+            report = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation,
+                                 domain.view->mesh, domain.view->halo, guard_flags(*domain.view), scene_.boundaries,
+                                 stage.lost_kinetic_energy, domain.state);
+            break;
+          }
+        catch (const NoRoomError &)
+          {
+            if (buffer > largest_buffer)
+              throw;
+          }
+      }
+    ledger.note("overlapping pieces laid down, solid moved to where there is room", report.spread.cells,
+                report.spread.volume, "cm^3");
     ledger.leave(report.left_domain);
     ledger.gathered("projection", GatherReport<dim>{report.kinetic_loss, report.wall_impulse},
                     stage.lost_kinetic_energy);
