@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/projection/laid_transfer.h>
 #include <whipple/projection/spread_excess.h>
 
 #include <algorithm>
@@ -18,29 +19,6 @@ namespace whipple::projection
     constexpr double way_through_full = 64;
     /// Rounds after which something must be wrong: overlaps are some cells deep, rounds grow like the depth squared.
     constexpr int most_rounds = 20000;
-
-    double
-    solid_volume(const std::vector<MaterialState> &materials, Index cell)
-    {
-      double solid = 0;
-      for (const MaterialState &material : materials)
-        solid += material.volume[cell] * (material.has_voids() ? 1. - material.void_fraction[cell] : 1.);
-      return solid;
-    }
-
-    /// Face neighbours of a cell across its subfaces, in the order of sides: `none` where there is none.
-    std::array<Index, 8>
-    neighbours(const FlatMesh<2> &mesh, Index cell)
-    {
-      std::array<Index, 8> result;
-      for (int side = 0; side < 4; ++side)
-        for (int s = 0; s < 2; ++s)
-          {
-            const Index face     = mesh.cell_face[side].empty() ? none : mesh.cell_face[side][2 * cell + s];
-            result[2 * side + s] = face == none ? none : mesh.faces[side / 2].cell[side % 2][face];
-          }
-      return result;
-    }
 
     /// The pores of what was laid down in a cell give way; returns their volume.
     double
@@ -70,6 +48,7 @@ namespace whipple::projection
         , state_(state)
         , closed_(closed)
         , laid_(laid)
+        , transfer_(mesh, halo, laid)
         , held_(mesh.n_cells)
         , excess_(mesh.n_cells)
         , room_(mesh.n_cells)
@@ -103,7 +82,7 @@ namespace whipple::projection
                 }
             find_ways(found);
             hand_over();
-            exchange();
+            transfer_.exchange();
           }
         MPI_Allreduce(MPI_IN_PLACE, &pores, 1, MPI_DOUBLE, MPI_SUM, communicator_);
         report.pores_squeezed = pores;
@@ -171,7 +150,7 @@ namespace whipple::projection
                 if (way_[c] == 0)
                   continue;
                 double best = way_[c];
-                for (const Index n : neighbours(mesh_, c))
+                for (const Index n : face_neighbours(mesh_, c))
                   if (n != none)
                     best = std::min(best, way_over(n));
                 changed = changed || best < way_[c];
@@ -218,123 +197,29 @@ namespace whipple::projection
       void
       hand_over()
       {
-        const Laid before = laid_;
+        transfer_.begin();
+        const Laid &before = transfer_.before();
         for (Index c = 0; c < mesh_.n_cells; ++c)
           share_[c] = excess_[c] > 0 ? std::min(1., excess_[c] / solid_volume(before.material, c)) : 0.;
         for (Index c = 0; c < mesh_.n_cells; ++c)
           if (share_[c] > 0)
-            keep(c, 1. - share_[c]);
+            transfer_.keep(c, 1. - share_[c]);
         for (Index c = 0; c < mesh_.n_cells; ++c)
           {
-            const std::array<Index, 8> around = neighbours(mesh_, c);
+            const std::array<Index, 8> around = face_neighbours(mesh_, c);
             for (int i = 0; i < 8; ++i)
               {
                 const Index giver = around[i];
                 if (giver == none || share_[giver] == 0)
                   continue;
-                const auto givers_around = neighbours(mesh_, giver);
+                const auto givers_around = face_neighbours(mesh_, giver);
                 const auto part          = parts(givers_around);
                 double     given         = 0;
                 for (int j = 0; j < 8; ++j)
                   if (givers_around[j] == c && j / 2 == (i / 2 ^ 1))
                     given += part[j];
                 if (given > 0)
-                  take(before, giver, given * share_[giver], c);
-              }
-          }
-      }
-
-      void
-      keep(Index c, double rest)
-      {
-        for (MaterialState &material : laid_.material)
-          {
-            material.volume[c] *= rest;
-            material.mass[c] *= rest;
-            if (rest > 0)
-              continue;
-            material.density[c] = material.energy[c] = 0;
-            if (material.has_voids())
-              material.void_fraction[c] = 0;
-            for (Field &field : material.fields)
-              field.value[c] = 0;
-          }
-        Motion &motion = laid_.motion[c];
-        if (rest == 0)
-          {
-            motion = {};
-            return;
-          }
-        motion.mass *= rest;
-        motion.kinetic *= rest;
-        for (int a = 0; a < 2; ++a)
-          for (int b = 0; b < 2; ++b)
-            {
-              motion.xx[a][b] *= rest;
-              motion.ux[a][b] *= rest;
-            }
-      }
-
-      /// Add a share of what a cell held before to another: the solid lies anywhere in it, with one velocity.
-      void
-      take(const Laid &before, Index giver, double share, Index c)
-      {
-        const Motion &source = before.motion[giver];
-        Motion        part;
-        part.mass    = share * source.mass;
-        part.mean_u  = source.mean_u;
-        part.kinetic = share * source.kinetic;
-        for (int d = 0; d < 2; ++d)
-          {
-            part.mean_x[d] = mesh_.lower[d][c] + 0.5 * mesh_.size[c];
-            part.xx[d][d]  = part.mass * mesh_.size[c] * mesh_.size[c] / 12.;
-          }
-        laid_.motion[c].add(part);
-        for (std::size_t m = 0; m < laid_.material.size(); ++m)
-          add_part(before.material[m], giver, share, laid_.material[m], c);
-      }
-
-      void
-      exchange()
-      {
-        std::vector<std::vector<double> *> arrays;
-        for (MaterialState &m : laid_.material)
-          {
-            for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy})
-              arrays.push_back(array);
-            if (m.has_voids())
-              arrays.push_back(&m.void_fraction);
-            for (Field &field : m.fields)
-              arrays.push_back(&field.value);
-          }
-        std::array<std::vector<double>, 14> moments;
-        for (auto &array : moments)
-          {
-            array.resize(mesh_.n_cells);
-            arrays.push_back(&array);
-          }
-        for (Index c = 0; c < mesh_.n_cells; ++c)
-          visit(laid_.motion[c], [&](int i, double &value) { moments[i][c] = value; });
-        halo_.exchange(arrays, {});
-        for (Index c = mesh_.n_owned; c < mesh_.n_cells; ++c)
-          visit(laid_.motion[c], [&](int i, double &value) { value = moments[i][c]; });
-      }
-
-      template <typename Visit>
-      static void
-      visit(Motion &motion, Visit visit)
-      {
-        int i = 0;
-        visit(i++, motion.mass);
-        visit(i++, motion.kinetic);
-        for (int a = 0; a < 2; ++a)
-          {
-            visit(i++, motion.mean_x[a]);
-            visit(i++, motion.mean_u[a]);
-            for (int b = 0; b < 2; ++b)
-              {
-                visit(i++, motion.xx[a][b]);
-                visit(i++, motion.ux[a][b]);
+                  transfer_.take(giver, given * share_[giver], c);
               }
           }
       }
@@ -354,6 +239,7 @@ namespace whipple::projection
       const State<2>               &state_;
       std::span<const std::uint8_t> closed_;
       Laid                         &laid_;
+      LaidTransfer                  transfer_;
       std::vector<double>           held_;   ///< solid that was there before, cm^3
       std::vector<double>           excess_; ///< solid beyond the cell's volume, cm^3
       std::vector<double>           room_;   ///< volume that is not solid, cm^3

@@ -43,8 +43,8 @@ namespace whipple
   ToEulerianReport<2>
   to_eulerian<2>(MPI_Comm communicator, const Lattice<2> &lattice, const CellPacketLayout<2> &layout,
                  const std::vector<Element<2>> &elements, Representation representation, const FlatMesh<2> &mesh,
-                 const Halo<2> &halo, std::span<const std::uint8_t> closed, const Boundaries<2> &boundaries,
-                 KineticLoss loss, State<2> &state)
+                 const Halo<2> &halo, const LayDownLimits &limits, const Boundaries<2> &boundaries, KineticLoss loss,
+                 State<2> &state)
   {
     ToEulerianReport<2> report;
     Deposit             deposit(lattice, layout, mesh, state);
@@ -59,7 +59,9 @@ namespace whipple
       }
 
     double laid_down = deposit.owned_mass();
-    report.spread    = spread_excess(communicator, mesh, halo, state, closed, deposit.laid());
+    report.spread    = spread_excess(communicator, mesh, halo, state, limits.closed, deposit.laid());
+    if (limits.sliver > 0)
+      report.slivers = gather_slivers(communicator, mesh, halo, state, limits.sliver, deposit.laid());
 
     const CornerVelocities<2> corners = deposit.finish();
     for (Index cell = 0; cell < mesh.n_cells; ++cell)

@@ -10,12 +10,12 @@ namespace whipple::contact
 {
   namespace
   {
-    /// Solid around a piece's middle from which three or more must be in one place.
-    constexpr double deep_solid = 2.1;
-    /// Middles closer than this part of the smaller piece are one place.
-    constexpr double deep_distance = 0.3;
-    /// Distance, in sizes, at which middles are in contact, and the least way a look waits for.
-    constexpr double contact_distance = 0.5, least_way = 0.1;
+    /// Points of a piece that are looked at: its middle, and these parts of the way to corners and middles of sides.
+    constexpr double reach = 0.8;
+    /// Solid around a piece's middle, as a part of what fits, that shows that it lies deep in others.
+    constexpr double deep_solid = 1.3;
+    /// Distance of the middles, in sizes, at which two pieces can be in contact, and the least way a look waits for.
+    constexpr double contact_distance = 0.9, least_way = 0.1;
     /// Bins along the largest piece: pieces of very different size must not fill the list.
     constexpr double most_bins = 32;
     /// Bins that go to one rank together, along each axis.
@@ -53,7 +53,7 @@ namespace whipple::contact
     Bin
     bin_of(const Vector<2> &x, double edge)
     {
-      return {static_cast<std::int64_t>(std::floor(x[0] / edge)), static_cast<std::int64_t>(std::floor(x[1] / edge))};
+      return {{static_cast<std::int64_t>(std::floor(x[0] / edge)), static_cast<std::int64_t>(std::floor(x[1] / edge))}};
     }
 
     /// Edge of the bins: a power of two near twice the typical size of the pieces, the same on all ranks.
@@ -83,7 +83,7 @@ namespace whipple::contact
     int
     owner(const Bin &bin, int ranks)
     {
-      return static_cast<int>(hash({bin[0] >> block_bits, bin[1] >> block_bits}) % static_cast<std::uint64_t>(ranks));
+      return static_cast<int>(hash({{bin[0] >> block_bits, bin[1] >> block_bits}}) % static_cast<std::uint64_t>(ranks));
     }
 
     /// Send every piece to the ranks that own a bin it touches.
@@ -99,7 +99,7 @@ namespace whipple::contact
           constexpr std::int64_t block = std::int64_t{1} << block_bits;
           for (std::int64_t j = first[1] & -block; j <= last[1]; j += block)
             for (std::int64_t i = first[0] & -block; i <= last[0]; i += block)
-              if (const int rank = owner({i, j}, ranks); !sent[rank])
+              if (const int rank = owner({{i, j}}, ranks); !sent[rank])
                 {
                   sent[rank] = true;
                   to[rank].push_back(piece);
@@ -145,8 +145,8 @@ namespace whipple::contact
             for (std::int64_t j = first[1]; j <= last[1]; ++j)
               for (std::int64_t i = first[0]; i <= last[0]; ++i)
                 {
-                  Index &head = head_[hash({i, j}) & (slots - 1)];
-                  entries_.push_back({{i, j}, static_cast<Index>(p), head});
+                  Index &head = head_[hash({{i, j}}) & (slots - 1)];
+                  entries_.push_back({{{i, j}}, static_cast<Index>(p), head});
                   head = static_cast<Index>(entries_.size() - 1);
                 }
           }
@@ -191,58 +191,156 @@ namespace whipple::contact
     double
     still(const Piece &a, const Piece &b)
     {
-      constexpr double part   = 1e-9;
+      constexpr double part   = 1e-4;
       const auto       square = [](const Vector<2> &u) { return u[0] * u[0] + u[1] * u[1]; };
       return part * std::sqrt(std::max(square(a.velocity), square(b.velocity)));
     }
 
     bool
-    is_in_box(const Box &b, const Vector<2> &x)
+    overlap(const Box &a, const Box &b)
     {
-      return x[0] > b.lower[0] && x[0] < b.upper[0] && x[1] > b.lower[1] && x[1] < b.upper[1];
+      return a.upper[0] > b.lower[0] && b.upper[0] > a.lower[0] && a.upper[1] > b.lower[1] && b.upper[1] > a.lower[1];
     }
 
-    /// Look around the middle of one piece.
-    void
-    look(const Piece &piece, const Bins &bins, const Bin &bin, Found &found)
+    /// Whether two pieces have a corner in common: bonded neighbours, which cannot run into one another.
+    bool
+    share_a_corner(const Piece &a, const Piece &b)
     {
-      // the pieces around the middle, few: in the order of keys, whatever the order of the list
-      constexpr int                   most = 64;
-      std::array<const Piece *, most> around;
-      int                             n = 0;
-      bins.for_each_in(bin, [&](const Piece &other, const Box &b) {
-        if (other.key == piece.key)
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+          if (a.x[0][i] == b.x[0][j] && a.x[1][i] == b.x[1][j])
+            return true;
+      return false;
+    }
+
+    /// The points of a piece that are looked at, its middle first.
+    std::array<Vector<2>, 9>
+    points_of(const Piece &piece)
+    {
+      std::array<Vector<2>, 9> point;
+      for (int d = 0; d < 2; ++d)
+        {
+          const double middle = piece.middle[d];
+          point[0][d]         = middle;
+          for (int i = 0; i < 4; ++i)
+            {
+              const double a  = piece.x[d][geometry::walk[i]] - middle,
+                           b  = piece.x[d][geometry::walk[(i + 1) % 4]] - middle;
+              point[1 + i][d] = middle + reach * a;
+              point[5 + i][d] = middle + reach * 0.5 * (a + b);
+            }
+        }
+      return point;
+    }
+
+    /// Looks around the pieces, one after the other.
+    class Look
+    {
+    public:
+      Look(const Bins &bins, double edge, int me, int ranks, Found &found)
+        : bins_(bins)
+        , edge_(edge)
+        , me_(me)
+        , ranks_(ranks)
+        , found_(found)
+      {
+      }
+
+      /// At those points of a piece that lie in this rank's bins.
+      void
+      around(const Piece &piece)
+      {
+        const std::array<Vector<2>, 9> points = points_of(piece);
+        Box                            hull{points[0], points[0]};
+        for (const Vector<2> &x : points)
+          for (int d = 0; d < 2; ++d)
+            {
+              hull.lower[d] = std::min(hull.lower[d], x[d]);
+              hull.upper[d] = std::max(hull.upper[d], x[d]);
+            }
+        bool known = false;
+        Bin  bin{};
+        for (std::size_t i = 0; i < points.size(); ++i)
+          {
+            const Bin here = bin_of(points[i], edge_);
+            if (owner(here, ranks_) != me_)
+              continue;
+            if (!known || here != bin)
+              {
+                bin   = here;
+                known = true;
+                collect(piece, hull, bin, i == 0);
+              }
+            if (!near_.empty())
+              at(piece, points[i], i == 0);
+          }
+      }
+
+    private:
+      /// The pieces of a bin that may hold points of this one, in the order of keys.
+      void
+      collect(const Piece &piece, const Box &hull, const Bin &bin, bool is_middle)
+      {
+        near_.clear();
+        double solid = piece.solid;
+        bins_.for_each_in(bin, [&](const Piece &other, const Box &b) {
+          if (other.key == piece.key)
+            return;
+          if (is_middle && piece.solid + other.solid > contact_solid)
+            wait_for(piece, other);
+          if (overlap(hull, b))
+            {
+              near_.push_back(&other);
+              solid += other.solid;
+            }
+        });
+        if (!(solid > contact_solid))
+          near_.clear();
+        std::sort(near_.begin(), near_.end(), [](auto *a, auto *b) { return a->key < b->key; });
+      }
+
+      void
+      wait_for(const Piece &piece, const Piece &other)
+      {
+        double       distance;
+        const double rate = approach(piece, other, distance);
+        if (!(rate > 0))
           return;
-        if (piece.solid + other.solid > contact_solid)
+        const double size = 0.5 * (piece.size + other.size);
+        const double time = std::max(least_way * size, distance - contact_distance * size) / rate;
+        if (time < found_.time_to_next && !share_a_corner(piece, other))
+          found_.time_to_next = time;
+      }
+
+      void
+      at(const Piece &piece, const Vector<2> &point, bool is_middle)
+      {
+        inside_.clear();
+        double solid = piece.solid;
+        for (const Piece *other : near_)
+          if (is_inside(other->x, point))
+            {
+              inside_.push_back(other);
+              solid += other->solid;
+            }
+        if (inside_.empty() || !(solid > contact_solid))
+          return;
+        found_.deep += is_middle && solid > deep_solid;
+        for (const Piece *other : inside_)
           {
             double       distance;
-            const double rate = approach(piece, other, distance), size = std::min(piece.size, other.size);
-            if (rate > 0)
-              found.time_to_next =
-                  std::min(found.time_to_next, std::max(least_way * size, distance - contact_distance * size) / rate);
+            const double rate = approach(piece, *other, distance), rest = still(piece, *other);
+            if (rate >= -rest)
+              found_.pairs.push_back({piece, *other, rate > rest});
           }
-        if (n < most && is_in_box(b, piece.middle) && is_inside(other.x, piece.middle))
-          around[n++] = &other;
-      });
-      if (n == 0)
-        return;
-      std::sort(around.begin(), around.begin() + n, [](auto *a, auto *b) { return a->key < b->key; });
-      double solid = piece.solid;
-      for (int i = 0; i < n; ++i)
-        solid += around[i]->solid;
-      if (!(solid > contact_solid))
-        return;
-      bool deep = solid > deep_solid;
-      for (int i = 0; i < n; ++i)
-        {
-          double       distance;
-          const double rate = approach(piece, *around[i], distance), none_below = still(piece, *around[i]);
-          deep = deep || distance < deep_distance * std::min(piece.size, around[i]->size);
-          if (rate >= -none_below)
-            found.pairs.push_back({piece, *around[i], rate > none_below});
-        }
-      found.deep += deep;
-    }
+      }
+
+      const Bins                &bins_;
+      double                     edge_;
+      int                        me_, ranks_;
+      Found                     &found_;
+      std::vector<const Piece *> near_, inside_;
+    };
   } // namespace
 
   bool
@@ -276,9 +374,9 @@ namespace whipple::contact
     const Bins bins(mine, edge);
     Found      found;
     found.time_to_next = std::numeric_limits<double>::infinity();
+    Look look(bins, edge, me, ranks, found);
     for (const Piece &piece : mine)
-      if (const Bin bin = bin_of(piece.middle, edge); owner(bin, ranks) == me)
-        look(piece, bins, bin, found);
+      look.around(piece);
     return found;
   }
 } // namespace whipple::contact

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/lagrange_step.h>
+#include <whipple/mesh/geometry.h>
 #include <whipple/projection/debris_selection.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/to_eulerian.h>
@@ -77,6 +78,25 @@ namespace whipple
     /// Cells around solid that may be asked for beyond the scene's buffer.
     constexpr int largest_buffer = 1024;
 
+    /// Share of a cell below which it does not become an element when all is laid anew.
+    constexpr double sliver_of_element = 1e-3;
+    /// Part of the domain that solid may fill for that.
+    constexpr double fullest_domain = 0.99;
+
+    /// True volume of the domain, cm^3.
+    template <int dim>
+    double
+    volume(const Scene<dim> &scene)
+    {
+      const Vector<dim> upper = scene.upper_corner();
+      geometry::Quad    x;
+      for (int k = 0; k < 4; ++k)
+        for (int d = 0; d < dim; ++d)
+          x[d][k] = k >> d & 1 ? upper[d] : scene.lattice.origin[d];
+      return scene.lattice.symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
+                                                        : geometry::volume<Symmetry::axisymmetric>(x);
+    }
+
     /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
     template <int dim>
     std::vector<std::uint8_t>
@@ -118,7 +138,7 @@ namespace whipple
     if (!previous)
       start(stage, domain, ledger);
     else if (previous->mode == StageMode::lagrangian)
-      lay_down(stage, domain, ledger);
+      lay_down(stage, 0., domain, ledger);
     else if (!stage.introduces.empty())
       {
         ledger.gathered("regrid", regridding_.regrid(domain, KineticLoss::heat, stage.introduces), KineticLoss::heat);
@@ -129,15 +149,22 @@ namespace whipple
   }
 
   template <int dim>
-  void
+  bool
   Handover<dim>::lay_anew(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
+    double solid = 0;
+    for (const MaterialState &m : domain.state.material)
+      for (Index c = 0; c < domain.view->mesh.n_owned; ++c)
+        solid += m.volume[c] * (m.has_voids() ? 1. - m.void_fraction[c] : 1.);
+    if (sum_over_ranks(solid, domain.communicator()) > fullest_domain * volume(scene_))
+      return false;
     Stage between = stage;
     between.introduces.clear();
     between.representation = Representation::distended;
-    lay_down(between, domain, ledger);
+    lay_down(between, sliver_of_element, domain, ledger);
     take_up(between, false, domain, ledger);
     spread(between, domain, ledger);
+    return true;
   }
 
   template <int dim>
@@ -195,7 +222,7 @@ namespace whipple
 
   template <int dim>
   void
-  Handover<dim>::lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  Handover<dim>::lay_down(const Stage &stage, double sliver, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
     const MPI_Comm communicator = domain.communicator();
     const auto     layout       = CellPacketLayout<dim>::of(domain.state);
@@ -211,8 +238,9 @@ namespace whipple
         paint(stage, domain, ledger);
         try
           {
+            const std::vector<std::uint8_t> guard = guard_flags(*domain.view);
             report = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation,
-                                 domain.view->mesh, domain.view->halo, guard_flags(*domain.view), scene_.boundaries,
+                                 domain.view->mesh, domain.view->halo, LayDownLimits{guard, sliver}, scene_.boundaries,
                                  stage.lost_kinetic_energy, domain.state);
             break;
           }

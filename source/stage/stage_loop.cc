@@ -261,18 +261,23 @@ namespace whipple
         ledger.gathered("contact", report.gathered, loss);
         cycle_->refresh(domain.state);
       }
-    const bool deep = overlap_is_deep(report);
-    if (deep)
+    bool anew = false;
+    if (overlap_is_deep(report))
+      {
+        anew = handover_.lay_anew(stage_, domain, ledger);
+        ledger.note(anew ? "elements deep in one another, all laid anew"
+                         : "elements deep in one another that find no room in the domain",
+                    static_cast<double>(report.deep), 1., "times");
+      }
+    if (anew)
       {
         ++counts.rezones;
-        ledger.note("elements deep in one another, all laid anew", static_cast<double>(report.deep), 1., "rezones");
-        handover_.lay_anew(stage_, domain, ledger);
         new_mesh(domain);
         folded_.clear();
       }
-    if (report.joined > 0 || deep)
+    if (report.joined > 0 || anew)
       ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "contact of elements", round_off);
-    return deep;
+    return anew;
   }
 
   template <int dim>

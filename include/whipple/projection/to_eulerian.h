@@ -5,6 +5,7 @@
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/projection/conserved_totals.h>
 #include <whipple/projection/element.h>
+#include <whipple/projection/gather_slivers.h>
 #include <whipple/projection/spread_excess.h>
 #include <whipple/state/velocity_gather.h>
 
@@ -22,6 +23,13 @@ namespace whipple
     packages   ///< each triangle shrunk about its centroid by (1-phi)^(1/2): solid at gamma, one velocity
   };
 
+  /// What cells may take up.
+  struct LayDownLimits
+  {
+    std::span<const std::uint8_t> closed;     ///< cells that take up nothing that has to be spread; empty: none
+    double                        sliver = 0; ///< less than this share of an empty cell joins a neighbour
+  };
+
   /// What a projection onto cells did, over all ranks.
   template <int dim>
   struct ToEulerianReport
@@ -32,6 +40,7 @@ namespace whipple
     double               pores_squeezed = 0; ///< cm^3 of void pressed out where cells were overfull
     double solid_compressed             = 0; ///< cm^3 of solid beyond the cells' volume, round-off: it is denser for it
     projection::SpreadReport spread;         ///< solid that did not fit and was moved to where there is room
+    projection::SliverReport slivers;        ///< what joined neighbours
     Vector<dim>              wall_impulse{}; ///< g cm/us given to reflecting sides (the axis: radial)
     Index                    folded_elements  = 0; ///< elements with an inverted triangle (projection.md)
     Index                    mirrored_corners = 0; ///< corners that had crossed the axis of symmetry
@@ -44,7 +53,6 @@ namespace whipple
   /// its outermost layer of nodes. Collective.
   /// @param elements  all ranks' (gather_elements), ordered by key
   /// @param state     holds what is already there, in Eulerian form (corner weights of the undeformed cells)
-  /// @param closed    cells that take up nothing that has to be spread, a flag each; empty: none
   /// @throws StateError if an element has no volume or mass, NoRoomError if the cells cannot hold the solid (the state
   ///         is as it was), or ConservationError if the mesh does not cover
   ///         all of the elements that lie inside the domain (relative mass beyond 1e-11).
@@ -52,8 +60,8 @@ namespace whipple
   ToEulerianReport<dim>
   to_eulerian(MPI_Comm communicator, const Lattice<dim> &lattice, const CellPacketLayout<dim> &layout,
               const std::vector<Element<dim>> &elements, Representation representation, const FlatMesh<dim> &mesh,
-              const Halo<dim> &halo, std::span<const std::uint8_t> closed, const Boundaries<dim> &boundaries,
-              KineticLoss loss, State<dim> &state);
+              const Halo<dim> &halo, const LayDownLimits &limits, const Boundaries<dim> &boundaries, KineticLoss loss,
+              State<dim> &state);
 
   /// The cells of the lattice at `level` that elements touch once laid down, for building the mesh.
   /// Sorted; cells outside the domain left out.

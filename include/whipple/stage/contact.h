@@ -48,7 +48,7 @@ namespace whipple
     {
       last_              = step;
       const double steps = report.time_to_next / dt;
-      next_ = step + (report.joined > 0 || !(steps >= 1.) ? 1 : steps < most_steps ? long(steps) : most_steps);
+      next_              = step + (!(steps >= 1.) ? 1 : steps < most_steps ? static_cast<long>(steps) : most_steps);
     }
 
   private:

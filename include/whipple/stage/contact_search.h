@@ -28,7 +28,7 @@ namespace whipple::contact
     std::uint64_t  held     = 0; ///< bit d: may not move along axis d
   };
 
-  /// One element's middle lies in the other.
+  /// Two elements that lie in one another.
   struct Pair
   {
     Piece        a, b;

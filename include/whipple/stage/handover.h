@@ -21,7 +21,8 @@ namespace whipple
 
     /// Lay the elements of a Lagrangian stage down on a fixed mesh and take them up again at once (rezone): pieces that
     /// have run into one another lie side by side afterwards. Elements beyond the domain leave it.
-    void
+    /// @returns false, and nothing has happened, if all their solid does not fit into the domain
+    bool
     lay_anew(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
   private:
@@ -36,8 +37,9 @@ namespace whipple
                  int buffer, Domain<dim> &domain) const;
 
     /// Elements and entering bodies onto a new Eulerian mesh.
+    /// @param sliver less than this share of an empty cell joins a neighbour
     void
-    lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+    lay_down(const Stage &stage, double sliver, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
     /// Cells become elements; of an Eulerian stage's material only the debris goes on, the rest is dropped.
     void
