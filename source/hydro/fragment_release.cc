@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/cell_shape.h>
 #include <whipple/hydro/fragment_release.h>
-#include <whipple/mesh/geometry.h>
 
 #include <algorithm>
 
@@ -8,30 +8,48 @@ namespace whipple
 {
   namespace
   {
-    /// Whether the quadrilateral is about to fold.
-    bool
-    folds(const geometry::Quad &x, double least_jacobian)
+    /// What ends a fragment's freedom in the next step.
+    struct Obstacles
     {
-      const auto   j    = geometry::corner_jacobian(x);
-      const double mean = 0.25 * (j[0] + j[1] + j[2] + j[3]);
-      return std::min(std::min(j[0], j[1]), std::min(j[2], j[3])) < least_jacobian * mean || mean <= 0;
-    }
+      bool                rigid  = true;  ///< all corners have one velocity already
+      bool                passes = false; ///< a corner is about to go through the axis or a wall
+      std::array<bool, 2> held{};         ///< along which axes it may not move
+    };
 
-    bool
-    shares_nodes(const FlatMesh<2> &mesh, Index c)
+    Obstacles
+    obstacles(const FlatMesh<2> &mesh, const RigidWalls<2> &walls, const State<2> &state, Index c,
+              const geometry::Quad &next)
     {
-      bool shares = false;
+      const bool axisymmetric = mesh.symmetry == Symmetry::axisymmetric;
+      Obstacles  result;
       for (int k = 0; k < 4; ++k)
         {
           const Index n = mesh.cell_node[4 * c + k];
-          shares        = shares || mesh.node_corner_begin[n + 1] - mesh.node_corner_begin[n] > 1;
+          for (int d = 0; d < 2; ++d)
+            result.rigid = result.rigid && state.velocity[d][n] == state.velocity[d][mesh.cell_node[4 * c]];
+          result.passes  = result.passes || (axisymmetric && next[0][k] < 0);
+          result.held[0] = result.held[0] || (axisymmetric && (mesh.node_side[n] & 1));
+          for (int side = 0; side < 4; ++side)
+            {
+              const int d = side / 2;
+              if (!walls.there[side])
+                continue;
+              const double outwards = side % 2 ? 1. : -1.;
+              const bool   through =
+                  outwards * (next[d][k] - walls.position[side]) > 0 && outwards * state.velocity[d][n] > 0;
+              result.passes  = result.passes || through;
+              result.held[d] = result.held[d] || through || (mesh.node_side[n] >> side & 1);
+            }
         }
-      return shares;
+      for (int k = 0; k < 4; ++k)
+        result.held[0] = result.held[0] || (axisymmetric && next[0][k] < 0);
+      return result;
     }
 
-    /// Give all corners of a cell one velocity; returns the kinetic energy of the relative motion.
-    double
-    make_rigid(const FlatMesh<2> &mesh, State<2> &state, Index c, bool at_axis)
+    /// Give all corners of a cell one velocity; its kinetic energy of relative motion heats it.
+    void
+    make_rigid(const FlatMesh<2> &mesh, State<2> &state, Index c, const std::array<bool, 2> &held,
+               ReleaseReport<2> &report)
     {
       double mass = 0, before = 0, after = 0;
       for (const MaterialState &m : state.material)
@@ -45,7 +63,9 @@ namespace whipple
               momentum += w * v;
               before += 0.5 * w * v * v;
             }
-          const double mean = d == 0 && at_axis ? 0. : momentum / mass;
+          const double mean = held[d] ? 0. : momentum / mass;
+          if (held[d])
+            report.wall_impulse[d] += momentum;
           after += 0.5 * mass * mean * mean;
           for (int k = 0; k < 4; ++k)
             state.velocity[d][mesh.cell_node[4 * c + k]] = mean;
@@ -53,43 +73,32 @@ namespace whipple
       for (MaterialState &m : state.material)
         if (m.mass[c] > 0)
           m.energy[c] += (before - after) / mass;
-      return before - after;
+      report.kinetic_loss += before - after;
+      ++report.released;
     }
   } // namespace
 
   template <int dim>
-  ReleaseReport
-  release_fragments(const FlatMesh<dim> &mesh, State<dim> &state, double dt, double least_jacobian)
+  ReleaseReport<dim>
+  release_fragments(const FlatMesh<dim> &mesh, const RigidWalls<dim> &walls, State<dim> &state, double dt,
+                    std::span<const Index> forced, double least_jacobian)
   {
     static_assert(dim == 2);
-    const bool    axisymmetric = mesh.symmetry == Symmetry::axisymmetric;
-    ReleaseReport report;
+    ReleaseReport<dim> report;
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
-        if (mesh.intact[c] && shares_nodes(mesh, c))
+        if (mesh.intact[c] && cell_shape::shares_nodes(mesh, c))
           continue;
-        geometry::Quad now, next;
-        bool           rigid = true, crosses_axis = false, at_axis = false;
-        for (int k = 0; k < 4; ++k)
-          {
-            const Index n = mesh.cell_node[4 * c + k];
-            for (int d = 0; d < 2; ++d)
-              {
-                now[d][k]  = state.position[d][n];
-                next[d][k] = now[d][k] + dt * state.velocity[d][n];
-                rigid      = rigid && state.velocity[d][n] == state.velocity[d][mesh.cell_node[4 * c]];
-              }
-            crosses_axis = crosses_axis || (axisymmetric && next[0][k] < 0);
-            at_axis      = at_axis || (axisymmetric && (mesh.node_side[n] & 1));
-          }
-        if (!crosses_axis && (rigid || !folds(next, least_jacobian)))
-          continue;
-        report.kinetic_loss += make_rigid(mesh, state, c, at_axis || crosses_axis);
-        ++report.released;
+        const geometry::Quad next = cell_shape::corners_after(mesh, state, c, dt);
+        const Obstacles      met  = obstacles(mesh, walls, state, c, next);
+        const bool           stop = cell_shape::folds(next, least_jacobian) ||
+                          (!forced.empty() && std::find(forced.begin(), forced.end(), c) != forced.end());
+        if (met.passes || (stop && !met.rigid))
+          make_rigid(mesh, state, c, met.held, report);
       }
     return report;
   }
 
-  template ReleaseReport
-  release_fragments(const FlatMesh<2> &, State<2> &, double, double);
+  template ReleaseReport<2>
+  release_fragments(const FlatMesh<2> &, const RigidWalls<2> &, State<2> &, double, std::span<const Index>, double);
 } // namespace whipple

@@ -11,10 +11,24 @@ namespace whipple::projection
 {
   namespace
   {
-    void
-    approach(double &value, double weight, double target)
+    /// No material, of the same kinds.
+    std::vector<MaterialState>
+    empty_like(const std::vector<MaterialState> &materials)
     {
-      value += weight * (target - value);
+      std::vector<MaterialState> result;
+      for (const MaterialState &like : materials)
+        {
+          MaterialState material;
+          for (auto *array : {&material.volume, &material.mass, &material.density, &material.energy})
+            array->assign(like.volume.size(), 0.);
+          material.carries_voids = like.has_voids();
+          if (material.carries_voids)
+            material.void_fraction.assign(like.volume.size(), 0.);
+          for (const Field &field : like.fields)
+            material.fields.push_back({field.description, std::vector<double>(like.volume.size(), 0.)});
+          result.push_back(std::move(material));
+        }
+      return result;
     }
 
     ConservedTotals<2>
@@ -41,7 +55,7 @@ namespace whipple::projection
     , tree_(lattice, mesh.key)
     , existing_(corner_velocities<2>(mesh, state))
     , existing_mass_(mesh.n_cells)
-    , motion_(mesh.n_cells)
+    , laid_{empty_like(state.material), std::vector<Motion>(mesh.n_cells)}
   {
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       existing_mass_[cell] = cell_mass<2>(state, cell);
@@ -62,7 +76,7 @@ namespace whipple::projection
           const Moments part = moments(symmetry_, clip(triangle, a, b));
           if (!(part.volume > 0))
             return;
-          motion_[cell].add(pieces.motion(part));
+          laid_.motion[cell].add(pieces.motion(part));
           add_materials(element, pieces, part.volume / pieces.volume, cell);
         });
       }
@@ -74,20 +88,12 @@ namespace whipple::projection
     const CellPacket &packet = element.packet;
     for (int m = 0; m < layout_.n_materials(); ++m)
       {
-        const double mass = share * packet[layout_.mass(m)], volume = share * pieces.material_volume[m];
-        if (mass == 0 || volume == 0)
-          continue;
-        MaterialState &material = state_.material[m];
-        material.volume[cell] += volume;
-        material.mass[cell] += mass;
-        const double by_volume = volume / material.volume[cell], by_mass = mass / material.mass[cell];
-        approach(material.density[cell], by_volume, packet[layout_.mass(m)] / pieces.material_volume[m]);
-        approach(material.energy[cell], by_mass, packet[layout_.energy(m)]);
-        if (layout_.has_voids[m])
-          approach(material.void_fraction[cell], by_volume, pieces.void_fraction[m]);
-        for (int f = 0; f < layout_.n_fields(); ++f)
-          approach(material.fields[f].value[cell], layout_.carrier[f] == Carrier::mass ? by_mass : by_volume,
-                   packet[layout_.field(m, f)]);
+        const MaterialShare part{share * pieces.material_volume[m], share * packet[layout_.mass(m)],
+                                 packet[layout_.mass(m)] / pieces.material_volume[m], packet[layout_.energy(m)],
+                                 pieces.void_fraction[m]};
+        add_share(
+            part, [&](std::size_t f) { return packet[layout_.field(m, static_cast<int>(f))]; }, laid_.material[m],
+            cell);
       }
   }
 
@@ -96,14 +102,14 @@ namespace whipple::projection
   {
     double sum = 0;
     for (Index cell = 0; cell < mesh_.n_owned; ++cell)
-      sum += motion_[cell].mass;
+      sum += laid_.motion[cell].mass;
     return sum;
   }
 
   std::array<Vector<2>, 4>
   Deposit::debris_corners(Index cell, const std::array<double, 4> &shares, double &remainder) const
   {
-    const Motion            &motion   = motion_[cell];
+    const Motion            &motion   = laid_.motion[cell];
     const auto               gradient = motion.gradient(mesh_.size[cell]);
     std::array<Vector<2>, 4> u;
     std::array<double, 4>    mass;
@@ -120,26 +126,29 @@ namespace whipple::projection
   }
 
   CornerVelocities<2>
-  Deposit::finish() const
+  Deposit::finish()
   {
+    for (std::size_t m = 0; m < state_.material.size(); ++m)
+      for (Index cell = 0; cell < mesh_.n_cells; ++cell)
+        add_part(laid_.material[m], cell, 1., state_.material[m], cell);
     CornerVelocities<2> result = existing_;
     for (Index cell = 0; cell < mesh_.n_cells; ++cell)
       {
-        if (motion_[cell].mass == 0)
+        if (laid_.motion[cell].mass == 0)
           continue;
-        const double total  = existing_mass_[cell] + motion_[cell].mass;
+        const double total  = existing_mass_[cell] + laid_.motion[cell].mass;
         const auto   shares = corner_shares<2>(state_, cell);
         double       remainder;
         const auto   u = debris_corners(cell, shares, remainder);
         // what was there and what came meet inelastically, corner by corner
-        const double reduced = existing_mass_[cell] * (motion_[cell].mass / total);
+        const double reduced = existing_mass_[cell] * (laid_.motion[cell].mass / total);
         for (int k = 0; k < 4; ++k)
           for (int d = 0; d < 2; ++d)
             {
               double      &v    = result.velocity[d][cell * 4 + k];
               const double slip = u[k][d] - v;
               remainder += 0.5 * shares[k] * reduced * slip * slip;
-              v = existing_mass_[cell] == 0 ? u[k][d] : v + motion_[cell].mass / total * slip;
+              v = existing_mass_[cell] == 0 ? u[k][d] : v + laid_.motion[cell].mass / total * slip;
             }
         result.kinetic_remainder[cell] += remainder;
       }

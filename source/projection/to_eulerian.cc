@@ -43,7 +43,8 @@ namespace whipple
   ToEulerianReport<2>
   to_eulerian<2>(MPI_Comm communicator, const Lattice<2> &lattice, const CellPacketLayout<2> &layout,
                  const std::vector<Element<2>> &elements, Representation representation, const FlatMesh<2> &mesh,
-                 const Boundaries<2> &boundaries, KineticLoss loss, State<2> &state)
+                 const Halo<2> &halo, const LayDownLimits &limits, const Boundaries<2> &boundaries, KineticLoss loss,
+                 State<2> &state)
   {
     ToEulerianReport<2> report;
     Deposit             deposit(lattice, layout, mesh, state);
@@ -56,6 +57,11 @@ namespace whipple
         report.folded_elements += pieces.folded;
         report.mirrored_corners += pieces.mirrored_corners;
       }
+
+    double laid_down = deposit.owned_mass();
+    report.spread    = spread_excess(communicator, mesh, halo, state, limits.closed, deposit.laid());
+    if (limits.sliver > 0)
+      report.slivers = gather_slivers(communicator, mesh, halo, state, limits.sliver, deposit.laid());
 
     const CornerVelocities<2> corners = deposit.finish();
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
@@ -71,9 +77,9 @@ namespace whipple
     report.kinetic_loss            = gathered.kinetic_loss;
     report.wall_impulse            = gathered.wall_impulse;
 
-    double laid_down = deposit.owned_mass();
     sum_over_ranks(communicator, {&report.kinetic_loss, &report.pores_squeezed, &report.solid_compressed,
                                   &report.wall_impulse[0], &report.wall_impulse[1], &laid_down});
+    report.pores_squeezed += report.spread.pores_squeezed;
     check_covered(report.elements.mass, report.left_domain.mass, laid_down);
     return report;
   }

@@ -68,7 +68,10 @@ namespace whipple
                 material.density[c] = material.mass[c] / material.volume[c];
               }
           if (c < n_owned)
-            report.compressed += sum - state.volume[c];
+            {
+              report.compressed += sum - state.volume[c];
+              ++report.cells_compressed;
+            }
         }
     }
   } // namespace

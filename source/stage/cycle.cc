@@ -145,7 +145,7 @@ namespace whipple
   Cycle<dim>::book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const
   {
     // what crossed the sides, and the work and impulse the sides gave (so: minus what they took)
-    std::array<double, 3 + dim + 4> sums{};
+    std::array<double, 3 + dim + 6> sums{};
     for (const SideFlux<dim> &side : remap.side)
       {
         sums[0] += side.mass;
@@ -161,6 +161,8 @@ namespace whipple
     sums[4 + dim] = motion.hourglass_work;
     sums[5 + dim] = motion.plastic_work;
     sums[6 + dim] = remap.kinetic_lost;
+    sums[7 + dim] = remap.cells_compressed;
+    sums[8 + dim] = remap.compressed;
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, halo_.communicator());
 
     ConservedTotals<dim> left;
@@ -173,6 +175,7 @@ namespace whipple
     ledger.convert("viscous work", sums[3 + dim]);
     ledger.convert("hourglass work", sums[4 + dim]);
     ledger.convert("plastic work", sums[5 + dim]);
+    ledger.note("overfull cells compressed", sums[7 + dim], sums[8 + dim], "cm^3");
     ledger.lose_kinetic("remap", sums[6 + dim], lost_kinetic_energy_);
   }
 

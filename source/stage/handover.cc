@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/lagrange_step.h>
+#include <whipple/mesh/geometry.h>
 #include <whipple/projection/debris_selection.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/to_eulerian.h>
@@ -75,6 +76,40 @@ namespace whipple
       return stage.cohesion == Cohesion::fragments ? 0 : halo_width<dim>;
     }
 
+    /// Cells around solid that may be asked for beyond the scene's buffer.
+    constexpr int largest_buffer = 1024;
+
+    /// Share of a cell below which it does not become an element when all is laid anew.
+    constexpr double sliver_of_element = 1e-3;
+    /// Part of the domain that solid may fill for that.
+    constexpr double fullest_domain = 0.99;
+
+    /// True volume of the domain, cm^3.
+    template <int dim>
+    double
+    volume(const Scene<dim> &scene)
+    {
+      const Vector<dim> upper = scene.upper_corner();
+      geometry::Quad    x;
+      for (int k = 0; k < 4; ++k)
+        for (int d = 0; d < dim; ++d)
+          x[d][k] = k >> d & 1 ? upper[d] : scene.lattice.origin[d];
+      return scene.lattice.symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
+                                                        : geometry::volume<Symmetry::axisymmetric>(x);
+    }
+
+    /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
+    template <int dim>
+    std::vector<std::uint8_t>
+    guard_flags(const FlatPartition<dim> &view)
+    {
+      std::vector<double> guard(view.mesh.n_cells, 0.);
+      for (const Index c : Regridding<dim>::guard_cells(view.mesh))
+        guard[c] = 1.;
+      view.halo.exchange(std::vector<std::vector<double> *>{&guard}, {});
+      return {guard.begin(), guard.end()};
+    }
+
     template <int dim>
     double
     solid_fraction(const CellPacketLayout<dim> &layout, const CellPacket &packet)
@@ -104,7 +139,7 @@ namespace whipple
     if (!previous)
       start(stage, domain, ledger);
     else if (previous->mode == StageMode::lagrangian)
-      lay_down(stage, domain, ledger);
+      lay_down(stage, 0., domain, ledger);
     else if (!stage.introduces.empty())
       {
         ledger.gathered("regrid", regridding_.regrid(domain, KineticLoss::heat, stage.introduces), KineticLoss::heat);
@@ -112,6 +147,25 @@ namespace whipple
       }
     if (stage.mode == StageMode::lagrangian)
       take_up(stage, previous && previous->mode == StageMode::eulerian, domain, ledger);
+  }
+
+  template <int dim>
+  bool
+  Handover<dim>::lay_anew(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    double solid = 0;
+    for (const MaterialState &m : domain.state.material)
+      for (Index c = 0; c < domain.view->mesh.n_owned; ++c)
+        solid += m.volume[c] * (m.has_voids() ? 1. - m.void_fraction[c] : 1.);
+    if (sum_over_ranks(solid, domain.communicator()) > fullest_domain * volume(scene_))
+      return false;
+    Stage between = stage;
+    between.introduces.clear();
+    between.representation = Representation::distended;
+    lay_down(between, sliver_of_element, domain, ledger);
+    take_up(between, false, domain, ledger);
+    spread(between, domain, ledger);
+    return true;
   }
 
   template <int dim>
@@ -151,12 +205,9 @@ namespace whipple
 
   template <int dim>
   void
-  Handover<dim>::lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
+  Handover<dim>::build_around(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout,
+                              const Stage &stage, int buffer, Domain<dim> &domain) const
   {
-    const MPI_Comm communicator = domain.communicator();
-    const auto     layout       = CellPacketLayout<dim>::of(domain.state);
-    const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
-
     RefinementMap<dim> map(scene_.lattice);
     for (const Element<dim> &element : elements)
       {
@@ -167,16 +218,45 @@ namespace whipple
           inside = inside && box[1][d] > scene_.lattice.origin[d] && box[0][d] < upper[d];
         if (inside)
           map.request(regridding_.need().of_solid_fraction(solid_fraction(layout, element.packet)), box[0], box[1],
-                      scene_.mesh.buffer);
+                      buffer);
       }
     request_bodies(scene_, &regridding_.need(), std::span<const std::size_t>(stage.introduces), map);
-    map.synchronise(communicator);
+    map.synchronise(domain.communicator());
     regridding_.build(domain, map);
-    paint(stage, domain, ledger);
+  }
 
-    const ToEulerianReport<dim> report =
-        to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
-                    scene_.boundaries, stage.lost_kinetic_energy, domain.state);
+  template <int dim>
+  void
+  Handover<dim>::lay_down(const Stage &stage, double sliver, Domain<dim> &domain, Ledger<dim> &ledger) const
+  {
+    const MPI_Comm communicator = domain.communicator();
+    const auto     layout       = CellPacketLayout<dim>::of(domain.state);
+    const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
+
+    // where pieces overlap, what does not fit needs room: if the mesh around them has too little, more of it
+    const Ledger<dim>     before = ledger;
+    ToEulerianReport<dim> report;
+    for (int buffer = scene_.mesh.buffer;; buffer *= 2)
+      {
+        build_around(elements, layout, stage, buffer, domain);
+        ledger = before;
+        paint(stage, domain, ledger);
+        try
+          {
+            const std::vector<std::uint8_t> guard = guard_flags(*domain.view);
+            report = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation,
+                                 domain.view->mesh, domain.view->halo, LayDownLimits{guard, sliver}, scene_.boundaries,
+                                 stage.lost_kinetic_energy, domain.state);
+            break;
+          }
+        catch (const NoRoomError &)
+          {
+            if (buffer > largest_buffer)
+              throw;
+          }
+      }
+    ledger.note("overlapping pieces laid down, solid moved to where there is room", report.spread.cells,
+                report.spread.volume, "cm^3");
     ledger.leave(report.left_domain);
     ledger.gathered("projection", GatherReport<dim>{report.kinetic_loss, report.wall_impulse},
                     stage.lost_kinetic_energy);

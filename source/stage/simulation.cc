@@ -158,7 +158,7 @@ namespace whipple
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, handover_prefix);
     summary::Stage &record = summary_.stages.emplace_back();
-    StageLoop<dim>  loop(scene_, layout_, regridding_, stage, static_cast<int>(number), reporter_, record);
+    StageLoop<dim>  loop(scene_, layout_, regridding_, handover_, stage, static_cast<int>(number), reporter_, record);
     loop.run(domain_, ledger_, summary_.counts);
     if (stage.mode == StageMode::lagrangian)
       measure_cloud(stage, "");

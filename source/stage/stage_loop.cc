@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/hydro/fragment_release.h>
+#include <whipple/hydro/folding.h>
 #include <whipple/stage/bond_breaking.h>
 #include <whipple/stage/collective.h>
 #include <whipple/stage/debris_measure.h>
@@ -25,18 +25,38 @@ namespace whipple
 
     /// Part of the active cells that coarsening must save to be worth a regrid of its own.
     constexpr double worthwhile_spare = 0.2;
+
+    /// Stable steps ahead for which elements may not fold.
+    constexpr double steps_ahead = 1.5;
+
+    /// The reflecting sides, where they are planes of the lattice.
+    template <int dim>
+    RigidWalls<dim>
+    rigid_walls(const Scene<dim> &scene)
+    {
+      RigidWalls<dim> walls;
+      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::none; ++side)
+        {
+          walls.there[side]    = scene.boundaries[side].kind == BoundaryKind::reflecting;
+          walls.position[side] = side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2];
+        }
+      return walls;
+    }
   } // namespace
 
   template <int dim>
   StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
-                            const Stage &stage, int number, Reporter<dim> &reporter, summary::Stage &record)
+                            const Handover<dim> &handover, const Stage &stage, int number, Reporter<dim> &reporter,
+                            summary::Stage &record)
     : scene_(scene)
     , layout_(layout)
     , regridding_(regridding)
+    , handover_(handover)
     , stage_(stage)
     , number_(number)
     , reporter_(reporter)
     , record_(record)
+    , walls_(rigid_walls(scene))
     , state_guard_(scene, layout)
     , wall_start_(MPI_Wtime())
   {
@@ -169,9 +189,98 @@ namespace whipple
   void
   StageLoop<dim>::release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
-    const ReleaseReport report = release_fragments(domain.view->mesh, domain.state, 1.5 * limit_.dt);
-    ledger.convert("released fragments", sum_over_ranks(report.kinetic_loss, domain.communicator()));
+    const ReleaseReport<dim> report =
+        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, folded_);
+    const GatherReport<dim> all =
+        sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
+    ledger.gathered("released fragments", all, KineticLoss::heat);
     counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  {
+    if (stage_.cohesion == Cohesion::fragments)
+      return;
+    std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
+    cells.insert(cells.end(), folded_.begin(), folded_.end());
+    if (max_over_ranks(static_cast<double>(cells.size()), domain.communicator()) == 0)
+      return;
+    const KineticLoss      loss   = stage_.lost_kinetic_energy;
+    const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
+    if (report.broken == 0)
+      return;
+    counts.breaks += report.broken;
+    ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
+                report.gathered.kinetic_loss, "Mbar cm^3");
+    ledger.gathered("broken bonds", report.gathered, loss);
+    new_mesh(domain);
+    ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "freeing of elements", round_off);
+    take_snapshot(domain, ledger); // of the new nodes
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::refuse_folded(const Domain<dim> &domain)
+  {
+    const std::vector<Index> cells = folded_cells(domain.view->mesh, domain.state);
+    double                   fresh = 0;
+    for (const Index c : cells)
+      if (std::find(folded_.begin(), folded_.end(), c) == folded_.end())
+        {
+          folded_.push_back(c);
+          ++fresh;
+        }
+    const double number = sum_over_ranks(static_cast<double>(cells.size()), domain.communicator());
+    if (number == 0)
+      return;
+    if (sum_over_ranks(fresh, domain.communicator()) > 0)
+      retries_ = 0; // what has folded now will be free in the next try: not the same again
+    agree(domain.communicator(), [&] {
+      if (cells.empty())
+        return;
+      const FlatMesh<dim> &mesh = domain.view->mesh;
+      const Index          n    = mesh.cell_node[cells[0] * FlatMesh<dim>::corners];
+      throw StateError("the step folded " + std::to_string(static_cast<long>(number)) + " elements, one of them at (" +
+                       std::to_string(domain.state.position[0][n]) + ", " +
+                       std::to_string(domain.state.position[1][n]) + ") cm");
+    });
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::meet(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  {
+    if (!contacts_.due(record_.steps))
+      return false;
+    const KineticLoss        loss   = stage_.lost_kinetic_energy;
+    const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
+    contacts_.looked(record_.steps, last_dt_, report);
+    if (report.joined > 0)
+      {
+        ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
+                    report.gathered.kinetic_loss, "Mbar cm^3");
+        ledger.gathered("contact", report.gathered, loss);
+        cycle_->refresh(domain.state);
+      }
+    bool anew = false;
+    if (overlap_is_deep(report))
+      {
+        anew = handover_.lay_anew(stage_, domain, ledger);
+        ledger.note(anew ? "elements deep in one another, all laid anew"
+                         : "elements deep in one another that find no room in the domain",
+                    static_cast<double>(report.deep), 1., "times");
+      }
+    if (anew)
+      {
+        ++counts.rezones;
+        new_mesh(domain);
+        folded_.clear();
+      }
+    if (report.joined > 0 || anew)
+      ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "contact of elements", round_off);
+    return anew;
   }
 
   template <int dim>
@@ -179,12 +288,17 @@ namespace whipple
   StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
   {
     const double dt = choose_time_step(domain, left);
-    if (stage_.mode == StageMode::lagrangian && stage_.cohesion != Cohesion::bonded)
-      release(domain, ledger, counts);
+    if (stage_.mode == StageMode::lagrangian)
+      {
+        free_folding(domain, ledger, counts);
+        release(domain, ledger, counts);
+      }
     if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
     cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
+    if (stage_.mode == StageMode::lagrangian)
+      refuse_folded(domain);
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     ledger.check(present, "a step", round_off);
     if ((record_.steps + 1) % snapshot_steps == 0)
@@ -232,6 +346,7 @@ namespace whipple
       {
         retries_ = 0;
         ceiling_ = std::numeric_limits<double>::infinity();
+        folded_.clear();
       }
     snapshot_ = {domain.state, ledger, record_.steps, record_.dt_limits};
     reporter_.steps_stand();
@@ -300,7 +415,7 @@ namespace whipple
             regrid(domain, ledger);
             take_snapshot(domain, ledger);
           }
-        else if (!eulerian && bonds_break(domain, ledger, counts))
+        else if (!eulerian && (meet(domain, ledger, counts) || bonds_break(domain, ledger, counts)))
           take_snapshot(domain, ledger);
         else if (record_.steps - snapshot_.step >= snapshot_steps)
           take_snapshot(domain, ledger);

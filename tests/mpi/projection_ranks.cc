@@ -22,6 +22,30 @@ namespace
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     return {n * rank / ranks, n * (rank + 1) / ranks};
   }
+
+  /// Halo of a mesh of which every rank owns its slice of the keys and sees all others.
+  Halo<2>
+  halo_of(const FlatMesh<2> &mesh, const std::vector<CellKey> &keys)
+  {
+    int me, ranks;
+    MPI_Comm_rank(MPI_COMM_WORLD, &me);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    const Index n = static_cast<Index>(keys.size());
+    // the local index of a key; owners send in the order of keys
+    const auto slice_of = [&](int rank) {
+      std::vector<CellKey> own(keys.begin() + n * rank / ranks, keys.begin() + n * (rank + 1) / ranks);
+      std::sort(own.begin(), own.end());
+      std::vector<Index> cells;
+      for (const CellKey key : own)
+        cells.push_back(static_cast<Index>(std::find(mesh.key.begin(), mesh.key.end(), key) - mesh.key.begin()));
+      return cells;
+    };
+    std::vector<Halo<2>::Neighbour> neighbours;
+    for (int rank = 0; rank < ranks; ++rank)
+      if (rank != me)
+        neighbours.push_back({rank, slice_of(me), slice_of(rank)});
+    return Halo<2>(MPI_COMM_WORLD, mesh, std::move(neighbours));
+  }
 } // namespace
 
 TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
@@ -57,8 +81,8 @@ TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
   // and owns a slice of the cells, the rest being halo
   const auto serial_mesh  = mesh_of(grid, hanging_keys(grid));
   State<2>   serial_state = blank_state(serial_mesh);
-  const auto serial = to_eulerian<2>(MPI_COMM_SELF, grid, layout, reference, Representation::distended, serial_mesh, {},
-                                     KineticLoss::heat, serial_state);
+  const auto serial = to_eulerian<2>(MPI_COMM_SELF, grid, layout, reference, Representation::distended, serial_mesh,
+                                     Halo<2>(MPI_COMM_SELF, serial_mesh, {}), {}, {}, KineticLoss::heat, serial_state);
 
   auto keys               = serial_mesh.key;
   const auto [begin, end] = my_slice(serial_mesh.n_cells);
@@ -68,8 +92,8 @@ TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
   std::fill_n(layer.begin(), n_owned, 0);
   const auto mesh   = build_flat_mesh<2>(grid, keys, n_owned, layer, 1, Cohesion::bonded);
   State<2>   mine   = blank_state(mesh);
-  const auto report = to_eulerian<2>(MPI_COMM_WORLD, grid, layout, gathered, Representation::distended, mesh, {},
-                                     KineticLoss::heat, mine);
+  const auto report = to_eulerian<2>(MPI_COMM_WORLD, grid, layout, gathered, Representation::distended, mesh,
+                                     halo_of(mesh, serial_mesh.key), {}, {}, KineticLoss::heat, mine);
   for (Index cell = 0; cell < n_owned; ++cell)
     for (int m = 0; m < 2; ++m)
       {

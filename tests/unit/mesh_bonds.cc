@@ -200,8 +200,8 @@ namespace
     for (const Index c : {Index(0), Index(4)}) // corner 3 of both is on its way through corner 0
       for (int d = 0; d < 2; ++d)
         b.state.velocity[d][b.mesh.cell_node[4 * c + 3]] = -1.;
-    const auto          before = node_totals(b.state).internal_energy;
-    const ReleaseReport report = release_fragments(b.mesh, b.state, 0.09);
+    const auto             before = node_totals(b.state).internal_energy;
+    const ReleaseReport<2> report = release_fragments<2>(b.mesh, {}, b.state, 0.09);
     EXPECT_EQ(report.released, 1);
     const double mass = 2.7 * b.state.volume[4]; // (m/4) (1/2 - 1/8) of each component's square turns into heat
     EXPECT_NEAR(report.kinetic_loss, 2. * mass * (0.125 - 0.03125), 1e-15 * mass);

@@ -1,24 +1,40 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/hydro/folding.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/state/fields.h>
 
+#include <array>
+#include <span>
+
 namespace whipple
 {
+  /// Reflecting sides of the domain, ordered 2 * axis + {0 lower, 1 upper}. The axis of symmetry needs no mention.
+  template <int dim>
+  struct RigidWalls
+  {
+    std::array<bool, 2 * dim>   there{};
+    std::array<double, 2 * dim> position{}; ///< cm
+  };
+
   /// What releasing fragments did, over owned cells.
+  template <int dim>
   struct ReleaseReport
   {
-    Index  released     = 0; ///< fragments newly made rigid
-    double kinetic_loss = 0; ///< Mbar cm^3 of relative motion turned into heat
+    Index       released     = 0; ///< fragments newly made rigid
+    double      kinetic_loss = 0; ///< Mbar cm^3 of relative motion turned into heat
+    Vector<dim> wall_impulse{};   ///< g cm/us given to walls that fragments meet (at the axis: radial)
   };
 
   /// Keep independent fragments from folding: one whose motion over the next dt would bring a corner Jacobian below
-  /// `least_jacobian` of the mean, or a corner across the axis of symmetry, stops deforming: all its corners
-  /// take the velocity of its centre of mass (at the axis: without radial part). Mass, axial momentum and
-  /// total energy are kept: the kinetic energy of the relative motion heats the fragment.
-  /// Of cells that share no node with others; those that do are left alone.
+  /// `least_jacobian` of the mean, or a corner across the axis of symmetry or through a wall, stops deforming: all its
+  /// corners take the velocity of its centre of mass (at the axis and at a wall: without its normal part). Mass, axial
+  /// momentum (the walls' share is reported) and total energy are kept: the kinetic energy of the relative motion heats
+  /// the fragment. Of cells that share no node with others; those that do are left alone.
+  /// @param forced owned cells that stop deforming in any case, if they share no nodes
   template <int dim>
-  ReleaseReport
-  release_fragments(const FlatMesh<dim> &mesh, State<dim> &state, double dt, double least_jacobian = 0.1);
+  ReleaseReport<dim>
+  release_fragments(const FlatMesh<dim> &mesh, const RigidWalls<dim> &walls, State<dim> &state, double dt,
+                    std::span<const Index> forced = {}, double least_jacobian = least_jacobian_share);
 } // namespace whipple

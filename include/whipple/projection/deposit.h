@@ -4,6 +4,7 @@
 #include <whipple/projection/cell_motion.h>
 #include <whipple/projection/cell_tree.h>
 #include <whipple/projection/element_pieces.h>
+#include <whipple/projection/laid.h>
 #include <whipple/projection/overfull_cell.h>
 #include <whipple/state/corner_velocity.h>
 
@@ -11,8 +12,8 @@
 
 namespace whipple::projection
 {
-  /// Elements on their way into the cells of one rank: materials go into the state as they come, motion is kept per
-  /// cell until finish() makes corner velocities of it.
+  /// Elements on their way into the cells of one rank: what comes is kept apart, materials and motion, until what does
+  /// not fit has been spread; finish() adds the materials to the state and makes corner velocities of the motion.
   class Deposit
   {
   public:
@@ -28,11 +29,19 @@ namespace whipple::projection
     double
     owned_mass() const;
 
-    /// Corner velocities of what was there and what came, with the kinetic energy that they do not show as
+    /// What has been laid down so far, of owned and halo cells.
+    Laid &
+    laid()
+    {
+      return laid_;
+    }
+
+    /// Add what was laid down to the state (as it is: cells may be overfull then).
+    /// @returns corner velocities of what was there and what came, with the kinetic energy that they do not show as
     /// remainder: per cell u_k = mean u + L (x_k - mean x_corners), L the least-squares gradient of the
     /// debris, scaled down where it would move the corners more vigorously than the debris moved.
     CornerVelocities<2>
-    finish() const;
+    finish();
 
   private:
     void
@@ -48,7 +57,7 @@ namespace whipple::projection
     CellTree<2>         tree_;
     CornerVelocities<2> existing_;
     std::vector<double> existing_mass_; ///< [n_cells] g
-    std::vector<Motion> motion_;        ///< [n_cells] of what was laid down
+    Laid                laid_;
   };
 
   /// What of an element lies beyond the domain's sides; zero, not round-off, for one inside.

@@ -5,6 +5,8 @@
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/projection/conserved_totals.h>
 #include <whipple/projection/element.h>
+#include <whipple/projection/gather_slivers.h>
+#include <whipple/projection/spread_excess.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <mpi.h>
@@ -21,33 +23,45 @@ namespace whipple
     packages   ///< each triangle shrunk about its centroid by (1-phi)^(1/2): solid at gamma, one velocity
   };
 
+  /// What cells may take up.
+  struct LayDownLimits
+  {
+    std::span<const std::uint8_t> closed;     ///< cells that take up nothing that has to be spread; empty: none
+    double                        sliver = 0; ///< less than this share of an empty cell joins a neighbour
+  };
+
   /// What a projection onto cells did, over all ranks.
   template <int dim>
   struct ToEulerianReport
   {
-    ConservedTotals<dim> elements;             ///< what was to be laid down
-    ConservedTotals<dim> left_domain;          ///< the part of it beyond the domain's sides
-    double               kinetic_loss     = 0; ///< Mbar cm^3, turned into heat or dropped
-    double               pores_squeezed   = 0; ///< cm^3 of void pressed out where cells were overfull
-    double               solid_compressed = 0; ///< cm^3 that did not fit then: the solid is denser for it
-    Vector<dim>          wall_impulse{};       ///< g cm/us given to reflecting sides (the axis: radial)
-    Index                folded_elements  = 0; ///< elements with an inverted triangle (projection.md)
-    Index                mirrored_corners = 0; ///< corners that had crossed the axis of symmetry
+    ConservedTotals<dim> elements;           ///< what was to be laid down
+    ConservedTotals<dim> left_domain;        ///< the part of it beyond the domain's sides
+    double               kinetic_loss   = 0; ///< Mbar cm^3, turned into heat or dropped
+    double               pores_squeezed = 0; ///< cm^3 of void pressed out where cells were overfull
+    double solid_compressed             = 0; ///< cm^3 of solid beyond the cells' volume, round-off: it is denser for it
+    projection::SpreadReport spread;         ///< solid that did not fit and was moved to where there is room
+    projection::SliverReport slivers;        ///< what joined neighbours
+    Vector<dim>              wall_impulse{}; ///< g cm/us given to reflecting sides (the axis: radial)
+    Index                    folded_elements  = 0; ///< elements with an inverted triangle (projection.md)
+    Index                    mirrored_corners = 0; ///< corners that had crossed the axis of symmetry
   };
 
   /// Lagrangian -> Eulerian: lay elements down on the cells of a mesh, on top of what the state already holds there
   /// (a painted wall). Mass, momentum and total energy are kept to round-off; a uniform velocity stays uniform.
-  /// Overfull cells first lose voids at constant gamma, then the solid is compressed. The halo of the state
-  /// must be up to date before, and is afterwards but for its outermost layer of nodes. Collective.
+  /// Overfull cells first lose voids at constant gamma; solid that still does not fit is spread to where there is room
+  /// (spread_excess.h), never squeezed. The halo of the state must be up to date before, and is afterwards but for
+  /// its outermost layer of nodes. Collective.
   /// @param elements  all ranks' (gather_elements), ordered by key
   /// @param state     holds what is already there, in Eulerian form (corner weights of the undeformed cells)
-  /// @throws StateError if an element has no volume or mass, or ConservationError if the mesh does not cover
+  /// @throws StateError if an element has no volume or mass, NoRoomError if the cells cannot hold the solid (the state
+  ///         is as it was), or ConservationError if the mesh does not cover
   ///         all of the elements that lie inside the domain (relative mass beyond 1e-11).
   template <int dim>
   ToEulerianReport<dim>
   to_eulerian(MPI_Comm communicator, const Lattice<dim> &lattice, const CellPacketLayout<dim> &layout,
               const std::vector<Element<dim>> &elements, Representation representation, const FlatMesh<dim> &mesh,
-              const Boundaries<dim> &boundaries, KineticLoss loss, State<dim> &state);
+              const Halo<dim> &halo, const LayDownLimits &limits, const Boundaries<dim> &boundaries, KineticLoss loss,
+              State<dim> &state);
 
   /// The cells of the lattice at `level` that elements touch once laid down, for building the mesh.
   /// Sorted; cells outside the domain left out.

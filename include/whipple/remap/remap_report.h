@@ -43,6 +43,7 @@ namespace whipple
     double                             flotsam_mass   = 0; ///< given away by donors left almost empty, g
     Index                              flotsam_cells  = 0;
     double                             compressed     = 0; ///< volume by which overfull cells were cut back, cm^3
+    Index                              cells_compressed = 0;
 
     RemapReport &
     operator+=(const RemapReport &other)
@@ -60,6 +61,7 @@ namespace whipple
       flotsam_mass += other.flotsam_mass;
       flotsam_cells += other.flotsam_cells;
       compressed += other.compressed;
+      cells_compressed += other.cells_compressed;
       return *this;
     }
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/projection/element.h>
 #include <whipple/stage/ledger.h>
 #include <whipple/stage/regridding.h>
 
@@ -18,14 +19,27 @@ namespace whipple
     void
     enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
+    /// Lay the elements of a Lagrangian stage down on a fixed mesh and take them up again at once (rezone): pieces that
+    /// have run into one another lie side by side afterwards. Elements beyond the domain leave it.
+    /// @returns false, and nothing has happened, if all their solid does not fit into the domain
+    bool
+    lay_anew(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
   private:
     /// Empty forest: mesh around the bodies, bodies into it.
     void
     start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
-    /// Elements and entering bodies onto a new Eulerian mesh.
+    /// A new Eulerian mesh around elements and entering bodies, without contents.
+    /// @param buffer cells of an element's level around it
     void
-    lay_down(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+    build_around(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout, const Stage &stage,
+                 int buffer, Domain<dim> &domain) const;
+
+    /// Elements and entering bodies onto a new Eulerian mesh.
+    /// @param sliver less than this share of an empty cell joins a neighbour
+    void
+    lay_down(const Stage &stage, double sliver, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
     /// Cells become elements; of an Eulerian stage's material only the debris goes on, the rest is dropped.
     void

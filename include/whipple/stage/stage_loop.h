@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/hydro/fragment_release.h>
 #include <whipple/output/summary.h>
+#include <whipple/stage/contact.h>
 #include <whipple/stage/cycle.h>
+#include <whipple/stage/handover.h>
 #include <whipple/stage/regridding.h>
 #include <whipple/stage/reporter.h>
 #include <whipple/stage/state_guard.h>
@@ -18,8 +21,9 @@ namespace whipple
   {
   public:
     /// @param record what the summary says of the stage, up to date also when the stage stops early
-    StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding, const Stage &stage,
-              int number, Reporter<dim> &reporter, summary::Stage &record);
+    StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
+              const Handover<dim> &handover, const Stage &stage, int number, Reporter<dim> &reporter,
+              summary::Stage &record);
 
     /// @param counts retries and releases are added to it
     /// @throws StateError on all ranks, after the last good state has been restored to `domain`
@@ -45,6 +49,15 @@ namespace whipple
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
     bonds_break(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
+    void
+    free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    /// @throws StateError if a step has folded an element; the elements are freed in the next try
+    void
+    refuse_folded(const Domain<dim> &domain);
+    /// Join elements that have run into one another; lay all anew if that does not do. @returns whether the mesh is new
+    bool
+    meet(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
     bool
     regrid_is_due(const Domain<dim> &domain);
     bool
@@ -68,6 +81,7 @@ namespace whipple
     const Scene<dim>      &scene_;
     const FieldLayout     &layout_;
     const Regridding<dim> &regridding_;
+    const Handover<dim>   &handover_;
     const Stage           &stage_;
     int                    number_;
     Reporter<dim>         &reporter_;
@@ -76,6 +90,9 @@ namespace whipple
     std::unique_ptr<Cycle<dim>> cycle_;
     std::vector<Index>          guard_;
     Snapshot                    snapshot_;
+    RigidWalls<dim>             walls_;
+    ContactSchedule             contacts_;
+    std::vector<Index>          folded_; ///< owned cells that steps since the snapshot have folded
     AgreedTimeStep              limit_{};
     StateGuard<dim>             state_guard_;
     double                      wall_start_;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/fields.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace whipple
+{
+  /// Corner Jacobian, as a part of the mean of the four, below which an element is taken out of the mesh.
+  inline constexpr double least_jacobian_share = 0.1;
+
+  /// Owned cells with mass that are bonded to others and would have a corner Jacobian below `least_jacobian` of the
+  /// mean after dt at the present velocities.
+  template <int dim>
+  std::vector<Index>
+  folding_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt,
+                double least_jacobian = least_jacobian_share);
+
+  /// Owned cells with mass that are not convex any more: a corner Jacobian is not positive.
+  template <int dim>
+  std::vector<Index>
+  folded_cells(const FlatMesh<dim> &mesh, const State<dim> &state);
+} // namespace whipple
