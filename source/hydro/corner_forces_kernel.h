@@ -41,7 +41,7 @@ namespace whipple::cell_kernels
         {
           const MaterialState &material = state.material[m];
           const Pack           v = load(material.volume, first), c = load(material.sound_speed, first);
-          const Pack modulus = load(material.density, first) * c * c;
+          const Pack           modulus = load(material.density, first) * c * c;
           occupied += v;
           pressed += v * load(material.pressure, first);
           compliance += select(trace::has_state(material, work.material[m], volume, first), v / modulus, Pack(0.));
@@ -52,28 +52,31 @@ namespace whipple::cell_kernels
               select(strain > 0., closure::compressed_share(filled, strain, pressed > 0.), Pack(0.)), filled};
     }
 
-    /// Half-step pressure of one material. Pores give way before the material does: where they are open, and the law
-    /// does not say that they resist, the pressure is not extrapolated. Beside open void a material carries no tension
+    /// Half-step pressure of one material. Pores give way before the material does: where they are open the change of
+    /// pressure is scaled with 1 / (1 + lambda dt/2), lambda = A gamma^2 c^2 (VoidLaw::yielding()). Were it left out
+    /// where the law is too slow for the step, an explicit Euler step would pump its oscillation. Beside open void a
+    /// material carries no tension
     /// (`least`, 0 without strength: with it the stress across the surface vanishes, not the pressure),
     /// and of a compression it takes part only as far as closure::compressed_share() says; its pressure on the nodes is
     /// scaled with that, so that the work done on it belongs to the change of its volume (a wisp in a cell that keeps
     /// closing would otherwise be heated without bound).
     Pack
-    half_pressure(const MaterialState &material, bool pores_resist, const Filling &fill, const Pack &expansion,
-                  const Pack &least, Index first)
+    half_pressure(const MaterialState &material, double yielding, const Filling &fill, const Pack &expansion,
+                  const Pack &least, double half_dt, Index first)
     {
       const Pack pressure = load(material.pressure, first);
-      const Pack c = load(material.sound_speed, first), modulus = load(material.density, first) * c * c;
+      const Pack c = load(material.sound_speed, first), density = load(material.density, first),
+                 modulus    = density * c * c;
       const auto compressed = expansion < 0. && fill.occupied > 0.;
       const Pack part       = select(compressed && fill.open, Pack(fill.compressed / fill.occupied), Pack(1.));
-      Pack       full       = pressure - fill.modulus * expansion;
-      Pack       loose      = pressure - modulus * (part * expansion);
-      if (material.has_voids() && !pores_resist)
+      Pack       kept(1.); // of the change of pressure
+      if (material.has_voids() && yielding > 0)
         {
-          const auto porous = load(material.void_fraction, first) > 0.;
-          full              = select(porous, pressure, full);
-          loose             = select(porous, pressure, loose);
+          const Pack phi = load(material.void_fraction, first), true_density = density / (1. - phi);
+          kept = select(phi > 0., 1. / (1. + half_dt * yielding * (true_density * true_density * c * c)), kept);
         }
+      const Pack full  = pressure - kept * (fill.modulus * expansion);
+      const Pack loose = pressure - kept * (modulus * (part * expansion));
       return select(fill.open, Pack(part * max(loose, least)), full);
     }
 
@@ -126,12 +129,12 @@ namespace whipple::cell_kernels
               continue;
             }
           const Pack share = select(felt, Pack(load(material.volume, first) / volume), Pack(0.));
-          Pack least(0.);
+          Pack       least(0.);
           if constexpr (strength)
             if (!work.material[m].shear_modulus.empty() && any_of(fill.open))
               least = least_pressure(state, material, first);
           const Pack pressure =
-              select(felt, half_pressure(material, work.material[m].pores_resist, fill, expansion, least, first),
+              select(felt, half_pressure(material, work.material[m].yielding, fill, expansion, least, 0.5 * dt, first),
                      Pack(0.));
           if (!work.material[m].half_pressure.empty())
             store(pressure, work.material[m].half_pressure, first);

@@ -71,7 +71,8 @@ namespace whipple
           if (materials[m].void_law)
             {
               next.void_fraction.resize(mesh.n_cells);
-              next.pores_resist = materials[m].void_law->pores_resist();
+              // what gives way at once: a number so large that nothing is left, but 0 times it is 0
+              next.yielding = std::min(1e200, materials[m].void_law->yielding(*materials[m].eos));
             }
           if (!materials[m].strength)
             continue;

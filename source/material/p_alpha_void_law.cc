@@ -145,10 +145,10 @@ namespace whipple
     return constants_.initial_porosity;
   }
 
-  bool
-  PAlphaVoidLaw::pores_resist() const
+  double
+  PAlphaVoidLaw::yielding(const EquationOfState &) const
   {
-    return true;
+    return 0.;
   }
 
   std::string

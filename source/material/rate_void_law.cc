@@ -31,6 +31,12 @@ namespace whipple
       relax_void_fraction(eos, alpha * dt, spall_strength, state, void_fraction);
   }
 
+  double
+  RateVoidLaw::yielding(const EquationOfState &eos) const
+  {
+    return alpha / (eos.reference_density() * eos.reference_density());
+  }
+
   std::string
   RateVoidLaw::name() const
   {

@@ -35,8 +35,8 @@ namespace whipple
             std::span<double> void_fraction) const override;
     double
     initial_void_fraction() const override;
-    bool
-    pores_resist() const override;
+    double
+    yielding(const EquationOfState &eos) const override;
     std::string
     name() const override;
 

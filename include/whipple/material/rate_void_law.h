@@ -18,6 +18,9 @@ namespace whipple
     void
     advance(const EquationOfState &eos, double dt, const VoidInput &state,
             std::span<double> void_fraction) const override;
+    /// alpha / gamma0^2
+    double
+    yielding(const EquationOfState &eos) const override;
     std::string
     name() const override;
 

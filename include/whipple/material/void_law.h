@@ -3,6 +3,7 @@
 
 #include <whipple/material/equation_of_state.h>
 
+#include <limits>
 #include <span>
 #include <string>
 
@@ -34,12 +35,14 @@ namespace whipple
       return 0.;
     }
 
-    /// True if pores withstand pressure as the solid does until they crush. The pressure of a porous cell then follows
-    /// its volume within a step; else it is that of the start of the step, because pores give way first.
-    virtual bool
-    pores_resist() const
+    /// A in dP_s/dt = -A gamma^2 c^2 P_s at frozen bulk density: how fast pores give way to the pressure of the solid
+    /// (us cm^4/g^2: A gamma^2 c^2 is a rate, 1/us). 0: they withstand as the solid does, so the pressure
+    /// of a porous cell follows its volume within a step; infinite: they give way at once, and it stays that of the
+    /// start of the step.
+    virtual double
+    yielding(const EquationOfState & /*eos*/) const
     {
-      return false;
+      return std::numeric_limits<double>::infinity();
     }
 
     /// Name in scene files, "rate", "equilibrium" ...
