@@ -54,7 +54,7 @@ namespace whipple
     if (!(strain > 0. && stress > 0.))
       return damage;
     const double rate        = std::max(strain / (state.dt * constants_.reference_rate), 1.);
-    const double triaxiality = std::min(tension / stress, constants_.largest_triaxiality);
+    const double triaxiality = std::min(tension * (1. - damage) / stress, constants_.largest_triaxiality);
     const double triaxial    = d[1] == 0. ? 0. : d[1] * std::exp(d[2] * triaxiality); // the exponential may be infinite
     const double ductility   = (d[0] + triaxial) * (1. + d[3] * std::log(rate)) * (1. + d[4] * homologous);
     return std::min(damage + strain / std::max(ductility, constants_.least_ductility), 1.);
