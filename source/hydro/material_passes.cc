@@ -13,6 +13,16 @@ namespace whipple::material_passes
 {
   namespace
   {
+    /// Share of its strengths that material of damage D has left: 1 - D, the sound part of a cell in which some has
+    /// failed. Where damage counts plastic strain, D < 1 is mostly ductility that has been used up, which costs no
+    /// strength (doc/theory/failure.md): 1 - D^8.
+    double
+    strength_left(bool counts_strain, double damage)
+    {
+      const double damage_2 = damage * damage, damage_4 = damage_2 * damage_2;
+      return 1. - (counts_strain ? damage_4 * damage_4 : damage);
+    }
+
     /// The share of its spall strength that each cell of a material has left; empty: all of it everywhere.
     std::span<const double>
     soundness(const Material &material, const MaterialState &state, const FieldIndex &index, const MaterialWork &next,
@@ -24,9 +34,10 @@ namespace whipple::material_passes
       std::fill(scratch.soundness.begin(), scratch.soundness.end(), 1.);
       if (damaged)
         {
-          const std::vector<double> &damage = state.fields[index.damage].value;
+          const std::vector<double> &damage        = state.fields[index.damage].value;
+          const bool                 counts_strain = material.failure->needs_strength();
           for (std::size_t c = 0; c < damage.size(); ++c)
-            scratch.soundness[c] = 1. - damage[c];
+            scratch.soundness[c] = strength_left(counts_strain, damage[c]);
         }
       if (material.melts)
         {
@@ -154,9 +165,10 @@ namespace whipple::material_passes
                                         next.shear_modulus, next.yield_stress);
         if (!materials[m].failure || index.damage < 0)
           continue;
-        const std::vector<double> &damage = material.fields[index.damage].value;
+        const std::vector<double> &damage        = material.fields[index.damage].value;
+        const bool                 counts_strain = materials[m].failure->needs_strength();
         for (std::size_t c = 0; c < damage.size(); ++c)
-          next.yield_stress[c] *= 1. - damage[c];
+          next.yield_stress[c] *= strength_left(counts_strain, damage[c]);
       }
   }
 

@@ -31,6 +31,9 @@ namespace whipple
       throw InputError(message.str());
     require_positive(name(), "largest triaxiality", constants.largest_triaxiality, "");
     require_positive(name(), "least failure strain", constants.least_ductility, "");
+    largest_triaxiality_ = constants.largest_triaxiality;
+    if (const auto end = end_of_ductility())
+      largest_triaxiality_ = 0.5 * *end;
     if (constants.d[4] == 0.)
       return;
     require_not_negative(name(), "reference temperature", constants.reference_temperature, "K");
@@ -43,9 +46,9 @@ namespace whipple
   JohnsonCookDamage::grown(const FailureInput &state, std::size_t i, double homologous, double damage) const
   {
     const auto &d = constants_.d;
-    // where nothing sound can open, and beside what has broken, voids are those of the broken part
+    // where nothing sound can open, voids are those of what has broken beside it
     const bool opened = !state.void_fraction.empty() && std::isfinite(constants_.spall_strength) &&
-                        state.void_fraction[i] > std::max(constants_.void_fraction, damage);
+                        state.void_fraction[i] > constants_.void_fraction;
     const double tension = -state.pressure[i];
     if (opened || tension > constants_.spall_strength)
       return 1.;
@@ -54,7 +57,7 @@ namespace whipple
     if (!(strain > 0. && stress > 0.))
       return damage;
     const double rate        = std::max(strain / (state.dt * constants_.reference_rate), 1.);
-    const double triaxiality = std::min(tension / stress, constants_.largest_triaxiality);
+    const double triaxiality = std::min(tension / stress, largest_triaxiality_);
     const double triaxial    = d[1] == 0. ? 0. : d[1] * std::exp(d[2] * triaxiality); // the exponential may be infinite
     const double ductility   = (d[0] + triaxial) * (1. + d[3] * std::log(rate)) * (1. + d[4] * homologous);
     return std::min(damage + strain / std::max(ductility, constants_.least_ductility), 1.);
@@ -133,7 +136,9 @@ namespace whipple
               .documentation =
                   "dD = d eps_p / eps_f with eps_f = [D1 + D2 exp(D3 s)](1 + D4 ln(rate/rate0))(1 + D5 T*), s = "
                   "-P/sigma_eq. "
-                  "Where eps_f is not positive, any plastic strain is failure. Tension of the solid beyond the spall "
+                  "s is held at its largest value, 1.5 unless given, and at half of the s at which the fit has no "
+                  "ductility left if that is within; eps_f does not fall below a least strain. D counts: strength is "
+                  "lost as D nears 1. Tension of the solid beyond the spall "
                   "strength, and voids beyond a threshold in materials with a void law, are failure too. Published for "
                   "s up to "
                   "1.5; the shock-loaded material of hypervelocity impact is far outside of it. Needs strength, and a "

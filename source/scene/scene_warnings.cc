@@ -115,13 +115,9 @@ namespace whipple
         if (const auto *damage = dynamic_cast<const JohnsonCookDamage *>(material.model.failure.get()))
           if (const auto triaxiality = damage->end_of_ductility())
             lines.push_back("material '" + material.name +
-                            "': the fit of its Johnson-Cook damage leaves no ductility "
-                            "where tension is above " +
-                            rounded(*triaxiality) +
-                            " of the equivalent stress; from where it "
-                            "falls below " +
-                            rounded(damage->least_ductility()) +
-                            " the strain at failure is held there ('Johnson-Cook damage least failure strain')");
+                            "': the fit of its Johnson-Cook damage has no ductility left where tension is above " +
+                            rounded(*triaxiality) + " times the equivalent stress; beyond " +
+                            rounded(damage->largest_triaxiality()) + " the strain at failure stays what it is there");
       return lines;
     }
 

@@ -115,14 +115,37 @@ namespace whipple
     EXPECT_NEAR(damage, 0.0802426030015477, 1e-14);
   }
 
-  TEST(JohnsonCookDamage, FailsWhereNoDuctilityIsLeft)
+  // 6061-T6: eps_f = 0 at s = ln(1.45/0.77)/0.47 = 1.346656, half of which leaves 0.286647; and constants without any
+  TEST(JohnsonCookDamage, AFitThatRunsOutOfDuctilityIsHeldWhereItStillHasSome)
   {
-    JohnsonCookDamage::Constants aluminium; // 6061-T6: eps_f = 0 at s = ln(1.45/0.77)/0.47 = 1.346656
+    JohnsonCookDamage::Constants aluminium;
     aluminium.d = {-0.77, 1.45, -0.47, 0., 0.};
     const JohnsonCookDamage failure(aluminium, nullptr);
-    EXPECT_LT(after(failure, {.pressure = -1.346 * 0.004, .strain = 1e-9}), 1e-4);
-    EXPECT_EQ(after(failure, {.pressure = -1.347 * 0.004, .strain = 1e-9}), 1.);
+    EXPECT_NEAR(failure.end_of_ductility().value(), 1.346656, 1e-6);
+    EXPECT_NEAR(failure.largest_triaxiality(), 0.673328, 1e-6);
+    const double held = -0.77 + 1.45 * std::exp(-0.47 * 0.673328);
+    for (const double s : {0.68, 1.3, 1.4, 3., 100.})
+      EXPECT_NEAR(after(failure, {.pressure = -s * 0.004, .strain = 0.01}), 0.01 / held, 1e-7) << s;
+    EXPECT_NEAR(after(failure, {.pressure = -0.5 * 0.004, .strain = 0.01}),
+                0.01 / (-0.77 + 1.45 * std::exp(-0.47 * 0.5)), 1e-12);
     EXPECT_EQ(after(failure, {.pressure = -10. * 0.004, .strain = 0.}), 0.);
+
+    JohnsonCookDamage::Constants nothing;
+    nothing.d = {-1., 0.5, -0.5, 0., 0.};
+    EXPECT_NEAR(after(JohnsonCookDamage(nothing, nullptr), {.pressure = -0.004, .strain = 1e-4}), 1e-4 / 0.01, 1e-12);
+  }
+
+  // The fit ends at s = 1.5 (G. R. Johnson, W. H. Cook 1985; LS-DYNA holds s there too): nothing changes below it.
+  TEST(JohnsonCookDamage, FitsThatKeepTheirDuctilityAreHeldAtTheirEnd)
+  {
+    JohnsonCookDamage::Constants steel; // 4340
+    steel.d = {0.05, 3.44, -2.12, 0., 0.};
+    const JohnsonCookDamage failure(steel, nullptr);
+    EXPECT_FALSE(failure.end_of_ductility());
+    for (const double s : {-1., 0., 0.6, 1.49, 1.5, 2., 30.})
+      EXPECT_NEAR(after(failure, {.pressure = -s * 0.004, .strain = 0.01}),
+                  0.01 / (0.05 + 3.44 * std::exp(-2.12 * std::min(s, 1.5))), 1e-12)
+          << s;
   }
 
   TEST(JohnsonCookDamage, SpallAndVoidsAreFailureToo)

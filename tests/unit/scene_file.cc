@@ -255,7 +255,7 @@ namespace
 
   TEST(SceneFile, EffectsLeftOutLeaveTheirModelsOut)
   {
-    const Scene<2> scene = read_scene<2>(shield, {"Effects/List = strength"});
+    const Scene<2> scene = read_scene<2>(shield, {"Effects/List = strength", "Stages/List = perforation"});
     EXPECT_TRUE(scene.materials[0].model.strength);
     EXPECT_FALSE(scene.materials[0].model.void_law);
     EXPECT_FALSE(scene.has_effect("voids"));

@@ -31,7 +31,7 @@ namespace whipple
       double reference_temperature = 300.; ///< T_ref [K], >= 0
 
       double largest_triaxiality = 1.5;  ///< of s, > 0: where the fit ends
-      double least_ductility     = 0.05; ///< of eps_f, > 0
+      double least_ductility     = 0.01; ///< of eps_f, > 0
 
       double spall_strength = std::numeric_limits<double>::infinity(); ///< Mbar, >= 0
       double void_fraction  = 1e-3; ///< phi beyond which the material counts as broken, 0 <= phi < 1
@@ -51,10 +51,11 @@ namespace whipple
     /// s at which D1 + D2 exp(D3 s) falls to zero, if it does within the range of the fit.
     std::optional<double>
     end_of_ductility() const;
+    /// s beyond which eps_f stays what it is there: half of end_of_ductility(), else the constant.
     double
-    least_ductility() const
+    largest_triaxiality() const
     {
-      return constants_.least_ductility;
+      return largest_triaxiality_;
     }
 
   private:
@@ -62,6 +63,7 @@ namespace whipple
     grown(const FailureInput &state, std::size_t i, double homologous, double damage) const;
 
     Constants                           constants_;
+    double                              largest_triaxiality_;
     std::shared_ptr<const ThermalModel> thermal_;
   };
 } // namespace whipple
