@@ -15,7 +15,7 @@ Read are the records 201 (normal density) and 301 (total equation of state: g/cm
 Energies are counted from the state at rest, in which bodies enter a scene: at --temperature, the density next to the normal
 one at which the pressure rises through zero, or through 1 bar where it never falls below zero (a gas; a table with Maxwell's
 construction, whose liquid ends in a plateau of the vapour's pressure: its end is made a row of the file, and so is the state
-at rest just above it). Or --density. Densities <= 0 (SESAME starts with one) are left out.
+at rest just above it, and the temperature a column). Or --density. Densities <= 0 (SESAME starts with one) are left out.
 
 Energies that do not rise along the temperature are counted on the last line: the program leaves those points out.
 
@@ -144,6 +144,7 @@ class Table:
             if ends[best]:
                 i, rest = crossed[best], roots[best]
                 edge = rest - BAR * (rest - self.density[i + 1]) / (values[best](rest) - pressure[i + 1])
+                self.add_column(temperature)
                 self.add_rows(i, [density for density in (edge, rest) if density > self.density[i] * (1 + 1e-9)])
             return roots[best]
         return normal_density
@@ -154,6 +155,14 @@ class Table:
             return False
         below, above = (numpy.diff(pressure[k:k + 2])[0] / numpy.diff(self.density[k:k + 2])[0] for k in (i - 1, i + 1))
         return abs(below) < 0.1 * above
+
+    def add_column(self, temperature):
+        """The isotherm itself: within a column of the plateau's end the pressure has a kink."""
+        j = int(numpy.searchsorted(self.temperature, temperature))
+        if min(abs(self.temperature - temperature)) > 1e-6 * temperature:
+            self.pressure, self.energy = (numpy.insert(grid, j, self.isotherm(grid, temperature), axis=1)
+                                          for grid in (self.pressure, self.energy))
+            self.temperature = numpy.insert(self.temperature, j, temperature)
 
     def add_rows(self, i, densities):
         """Rows in the interval i, each column interpolated from the side of the larger densities."""

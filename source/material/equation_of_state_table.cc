@@ -4,6 +4,7 @@
 #include <whipple/material/piecewise_cubic.h>
 #include <whipple/material/rising_points.h>
 #include <whipple/material/table_field.h>
+#include <whipple/material/trial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -210,42 +211,53 @@ namespace whipple
       if (length < 2)
         throw InputError(path, axis + ", extent", std::to_string(length), "must be at least 2");
     }
+
+    EquationOfStateTable
+    read(const std::string &path)
+    {
+      const Hdf5File       file(path);
+      EquationOfStateTable table;
+      table.path = path;
+      const TableField density(file, "density", density_units, {0});
+      density.require_positive();
+      density.require_rising();
+      density.require_at_most(largest_density);
+      table.density           = density.values();
+      table.reference_density = file.attribute("reference_density") * density.unit();
+      require_two(path, "density", table.density.size());
+      if (!(table.reference_density >= table.density.front() && table.reference_density <= table.density.back()))
+        {
+          std::ostringstream value, allowed;
+          value << table.reference_density;
+          allowed << "must be among the densities of the table, " << table.density.front() << " ... "
+                  << table.density.back() << " g/cm^3";
+          throw InputError(path, "attribute reference_density", value.str(), allowed.str());
+        }
+      if (!file.has("energy"))
+        throw InputError(path + ": dataset 'energy' is missing");
+      if (file.read("energy").extent.size() == 1)
+        read_over_energy(file, table);
+      else
+        read_over_temperature(file, table);
+      require_two(path, "energy or temperature", table.heat.size());
+      if (file.has("melt_temperature"))
+        {
+          const TableField melt(file, "melt_temperature", temperature_units, {table.density.size()});
+          melt.require_positive();
+          table.melt_temperature = melt.values();
+        }
+      return table;
+    }
   } // namespace
 
   EquationOfStateTable
   read_equation_of_state_table(const std::string &path)
   {
-    const Hdf5File       file(path);
-    EquationOfStateTable table;
-    table.path = path;
-    const TableField density(file, "density", density_units, {0});
-    density.require_positive();
-    density.require_rising();
-    density.require_at_most(largest_density);
-    table.density           = density.values();
-    table.reference_density = file.attribute("reference_density") * density.unit();
-    require_two(path, "density", table.density.size());
-    if (!(table.reference_density >= table.density.front() && table.reference_density <= table.density.back()))
-      {
-        std::ostringstream value, allowed;
-        value << table.reference_density;
-        allowed << "must be among the densities of the table, " << table.density.front() << " ... "
-                << table.density.back() << " g/cm^3";
-        throw InputError(path, "attribute reference_density", value.str(), allowed.str());
-      }
-    if (!file.has("energy"))
-      throw InputError(path + ": dataset 'energy' is missing");
-    if (file.read("energy").extent.size() == 1)
-      read_over_energy(file, table);
-    else
-      read_over_temperature(file, table);
-    require_two(path, "energy or temperature", table.heat.size());
-    if (file.has("melt_temperature"))
-      {
-        const TableField melt(file, "melt_temperature", temperature_units, {table.density.size()});
-        melt.require_positive();
-        table.melt_temperature = melt.values();
-      }
-    return table;
+    constexpr int     seconds = 10;
+    const std::string failure = failure_of_trial([&] { read(path); }, seconds);
+    if (!failure.empty())
+      throw InputError(path + ": cannot be read as HDF5: the file is damaged, the HDF5 library ends with " + failure +
+                       "; allowed is an HDF5 file");
+    return read(path);
   }
 } // namespace whipple

@@ -43,4 +43,28 @@ rejects "unknown 'everything'" run "$shield" --set 'Effects/List = everything'
 rejects 'no_such_table.h5' run "$shield" --set "$set_material/Equation of state = tabulated" \
   --set "$set_material/Table = no_such_table.h5"
 rejects 'must be >= 0 or infinite' run "$shield" --set "$set_material/Spall strength = -1 GPa"
+
+# What is no scene, or no text.
+rejects 'is no file (a folder, pipe or device)' run . --validate
+rejects 'is no file (a folder, pipe or device)' run /dev/zero --validate
+rm -f pipe
+mkfifo pipe
+rejects 'is no file (a folder, pipe or device)' run pipe --validate
+printf 'set Title = a bell \007 and a line\n' >control.prm
+rejects 'control.prm:1: control character 0x07' run control.prm --validate
+rejects 'control character 0x1b' run "$shield" --set "$(printf 'Title = \033[2J')"
+printf '\357\273\277' | cat - "$shield" >marked.prm
+"$program" run marked.prm --validate >out.txt 2>err.txt || { echo 'a byte order mark is not accepted'; cat err.txt; exit 1; }
+rejects 'must be given; allowed are one or more names' run "$shield" --set 'Bodies/List ='
+
+# Numbers that can be read and mean nothing.
+rejects 'at most 1e+09 g/cm^3' run "$shield" --set 'Bodies/sphere/Density = 1e20 g/cm^3'
+rejects 'at most 29979.2458 cm/us' run "$shield" --set 'Bodies/sphere/Velocity = 0 cm/us, 1e30 cm/us'
+rejects 'too large; allowed is a specific energy' run "$shield" --set 'Bodies/sphere/Specific energy = 1e30 MJ/kg'
+rejects 'a tension that no matter holds' run "$shield" --set 'Bodies/sphere/Pressure = -1000 GPa'
+rejects 'a tension that no matter holds' run "$shield" --set 'Geometry/Top = pressure -1000 GPa'
+rejects 'too large; allowed is a time' run "$shield" --set 'Stages/perforation/End = 1e300 s'
+rejects 'too large; allowed is a pure number' run "$shield" --set "$set_material/Hugoniot slope = 1e30"
+rejects 'and the finest cell 100000 cm; allowed is a body of at least 0.01 cells' run "$shield" \
+  --set 'Mesh/Finest cell = 1 km'
 [ ! -e output ] || { echo 'something was written'; exit 1; }

@@ -107,3 +107,113 @@ status=0
 "$program" run scene.prm --validate >out.txt 2>err.txt || status=$?
 [ "$status" -eq 2 ] || { echo "status $status, not 2"; cat err.txt; exit 1; }
 grep -qF 'pressure[3, 4]' err.txt || { echo 'no word of the hole in:'; cat err.txt; exit 1; }
+
+# Maxwell's construction: the pressure of a vapour up to 2.7 g/cm^3 at 300 K, steep from there. Rows of energies that are level
+# and fall a little, a pressure that falls with T: the program takes it, at rest on the steep branch without pressure
+cat >plateau.py <<'END_OF_PYTHON'
+import texts
+
+stiff, heat = 60., 9e-4  # GPa, MJ/(kg K)
+density = [0., 0.3, 1., 1.6, 2.2, 2.5, 2.65, 2.75, 2.9, 3.1, 3.4, 3.8, 4.3, 5.]
+temperature = [100., 150., 200., 250., 290., 310., 350., 500., 800., 1500., 3000., 6000., 12000.]
+
+
+def pressure(rho, t):
+    steep = stiff * ((rho / 2.7) ** 2 - 1.) + 6e-3 * rho * (t - 300.)
+    vapour = 1e-9 * t + (max(t - 1500., 0.) * 1e-4 * rho)
+    return max(steep, vapour) if rho else 0.
+
+
+def energy(rho, t):
+    cold = stiff / 2.7 ** 2 * (rho + 2.7 ** 2 / rho - 2. * 2.7) if rho > 2.7 else 0.
+    return cold + heat * t if rho else 0.
+
+
+pressures = [pressure(rho, t) for t in temperature for rho in density]
+energies = [energy(rho, t) for t in temperature for rho in density]
+n = len(density)
+energies[1 * n + 4] = energies[4]  # level
+energies[2 * n + 9] = energies[9] - 1e-3  # falls
+pressures[8 * n + 9] -= 4.  # as a solid that shrinks when it melts
+total = [n, len(temperature)] + density + temperature + pressures + energies
+with open("plateau.txt", "w") as text:
+    for kind, values in ((201, texts.normal), (301, total)):
+        text.write(f" 1{9999:6d}{kind:6d}{len(values):6d}   r   101070   101070   1\n")
+        text.writelines(texts.record(values, 15, "1"))
+END_OF_PYTHON
+/usr/bin/python3 plateau.py
+convert plateau.txt plateau.h5 --temperature 300 >plateau_log.txt
+grep -qF '2 of 210 energies do not rise along the temperature' plateau_log.txt || { cat plateau_log.txt; exit 1; }
+/usr/bin/python3 - <<'END_OF_PYTHON'
+import h5py
+
+with h5py.File("plateau.h5") as file:
+    rest = file.attrs["reference_density"]
+    # the steep branch is a parabola, which the polynomial through its points meets
+    assert abs(rest - 2.7 * (1. + 1e-4 / 60.) ** 0.5) < 1e-5, rest
+    assert file["density"].shape == (15,) and abs(file["density"][7] - rest) < 1e-12, file["density"][:]
+END_OF_PYTHON
+scene plateau.h5 >scene.prm
+"$program" run scene.prm --validate >out.txt
+
+# What is no such table is one line and status 2, and never waited for
+/usr/bin/python3 - <<'END_OF_PYTHON'
+import shutil
+
+import h5py
+import numpy
+
+
+def spoilt(name, change):
+    shutil.copy("sesame.h5", name)
+    with h5py.File(name, "r+") as file:
+        change(file)
+
+
+def replace(file, **keywords):
+    del file["pressure"]
+    file.create_dataset("pressure", **keywords).attrs["units"] = "GPa"
+
+
+spoilt("bad_words.h5", lambda file: replace(file, data=numpy.full((42, 20), b"high")))
+spoilt("bad_cube.h5", lambda file: replace(file, data=numpy.zeros((42, 20, 3))))
+spoilt("bad_none.h5", lambda file: replace(file, shape=(0, 20), dtype="f8"))
+spoilt("bad_huge.h5", lambda file: replace(file, shape=(10 ** 9, 10 ** 9), dtype="f8", chunks=(100, 100)))
+
+
+def group(file):
+    del file["pressure"]
+    file.create_group("pressure")
+
+
+def units(file):
+    file["pressure"].attrs["units"] = numpy.array([b"GPa"] * 1000)
+
+
+spoilt("bad_group.h5", group)
+spoilt("bad_units.h5", units)
+with open("sesame.h5", "rb") as whole, open("bad_half.h5", "wb") as half:
+    half.write(whole.read()[:9000])
+END_OF_PYTHON
+echo 'no table' >bad_text.h5
+mkdir -p bad_folder.h5
+[ -e bad_pipe.h5 ] || mkfifo bad_pipe.h5
+while read -r table words; do
+  scene "$table" >scene.prm
+  status=0
+  "$program" run scene.prm --validate >out.txt 2>err.txt || status=$?
+  [ "$status" -eq 2 ] || { echo "$table: status $status, not 2"; cat err.txt; exit 1; }
+  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "$table: not one line"; cat err.txt; exit 1; }
+  grep -qF -- "$table: $words" err.txt || { echo "'$table: $words' is not in:"; cat err.txt; exit 1; }
+done <<'END_OF_LIST'
+bad_words.h5 dataset 'pressure' must hold numbers
+bad_cube.h5 dataset 'pressure' must be an array of one or two indices
+bad_none.h5 dataset 'pressure' has an extent of 0
+bad_huge.h5 dataset 'pressure' has an extent of 1000000000
+bad_group.h5 dataset 'pressure' is missing
+bad_units.h5 dataset 'pressure' has no attribute 'units'
+bad_half.h5 cannot be read as HDF5
+bad_text.h5 cannot be read as HDF5
+bad_folder.h5 is no regular file
+bad_pipe.h5 is no regular file
+END_OF_LIST

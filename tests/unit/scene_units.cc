@@ -97,8 +97,28 @@ namespace
               std::string::npos);
     EXPECT_NE(complaint("1 furlong", units::length).find("unknown unit 'furlong'; units are km m cm"),
               std::string::npos);
-    for (const char *text : {"", "cm", "1 cm^", "1 cm^0", "1 cm^99", "1 /s", "1 cm/", "1 (cm", "1 cm)", "1.2.3 cm",
-                             "inf cm", "nan cm", "1e999 cm", "1 cm cm", "1e308 km", "--1 cm", "1,5 cm"})
+    for (const char *text : {"",
+                             "cm",
+                             "1 cm^",
+                             "1 cm^0",
+                             "1 cm^99",
+                             "1 /s",
+                             "1 cm/",
+                             "1 (cm",
+                             "1 cm)",
+                             "1.2.3 cm",
+                             "inf cm",
+                             "nan cm",
+                             "1e999 cm",
+                             "1 cm cm",
+                             "1e308 km",
+                             "--1 cm",
+                             "1,5 cm",
+                             "1e99999999999 mm",
+                             "1e-99999999999 mm",
+                             "1e2147483647 km",
+                             "1 (((cm^9)^9)^9)^9",
+                             "1 ((((((((((cm))))))))))"})
       EXPECT_NE(complaint(text, units::length), "") << text;
   }
 
