@@ -207,13 +207,16 @@ namespace whipple
     cells.insert(cells.end(), folded_.begin(), folded_.end());
     if (max_over_ranks(static_cast<double>(cells.size()), domain.communicator()) == 0)
       return;
+    double mass = 0;
+    for (const Index c : cells)
+      mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
     const KineticLoss      loss   = stage_.lost_kinetic_energy;
     const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
     if (report.broken == 0)
       return;
     counts.breaks += report.broken;
     ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
-                report.gathered.kinetic_loss, "Mbar cm^3");
+                sum_over_ranks(mass, domain.communicator()), "g");
     ledger.gathered("broken bonds", report.gathered, loss);
     new_mesh(domain);
     ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "freeing of elements", round_off);
