@@ -27,7 +27,8 @@ namespace
   TEST(HydroClosure, MaterialUnderPressureThatNearlyFillsTheCellIsCompressedWithIt)
   {
     // w = f S(2 f - 1): S(0.4) = 0.352, S(0.998) = 1 - 1.2e-5
-    EXPECT_DOUBLE_EQ(share(1., 0.8, {{0.7, 1., 0.1}})[0], 0.7 - 0.7 * 0.352 * 0.2);
+    EXPECT_EQ(share(1., 0.8, {{0.7, 1., 0.1}})[0], 0.7);
+    EXPECT_DOUBLE_EQ(share(1., 0.98, {{0.95, 1., 0.1}})[0], 0.95 - 0.95 * 0.5 * 0.02);
     EXPECT_NEAR(share(1., 0.9999, {{0.999, 1., 0.1}})[0] / 0.999, 0.9999, 1e-8);
     // and the cell is never overfull
     EXPECT_DOUBLE_EQ(share(1., 0.6, {{0.7, 1., 0.1}})[0], 0.6);
