@@ -86,17 +86,6 @@ namespace
       step.update_pressure(state);
     }
 
-    /// Pressure by root cell: mean over its cells.
-    std::vector<double>
-    pressures() const
-    {
-      std::vector<double> mean(roots, 0.);
-      for (Index c = 0; c < mesh.n_cells; ++c)
-        mean[static_cast<int>((mesh.lower[0][c] + 1e-9) / coarse)] +=
-            state.material[0].pressure[c] * std::pow(mesh.size[c] / coarse, 2);
-      return mean;
-    }
-
     double
     largest_below(double place) const
     {
@@ -145,22 +134,24 @@ namespace
     return largest / start;
   }
 
+  // What comes back is the scheme's dispersion on the coarse side, R = (Z_fine - Z_coarse) / (Z_fine + Z_coarse) with
+  // Z = rho c cos(k h / 2), whatever the number of levels (doc/theory/refinement.md): below 1 % needs eight cells.
   TEST(LevelJumps, PulsesComeBackLittle)
   {
-    std::printf("  pulse: cells of the coarse side at half height; what comes back, %%\n");
+    // of 1, 2, 3, 4, 6, 8 cells of the coarse side at half height
+    constexpr std::array<double, 6> widths{1., 2., 3., 4., 6., 8.}, bounds{0.25, 0.12, 0.06, 0.025, 0.014, 0.009};
     for (const double peak : {1e-5, 0.0094})
       for (int levels = 1; levels <= 3; ++levels)
         for (const bool outwards : {true, false})
           {
-            std::printf("  u %.0e cm/us, %d level%s, %s:", peak, levels, levels > 1 ? "s" : " ",
+            std::printf("  u %.0e cm/us, %d level%s, %s, %%:", peak, levels, levels > 1 ? "s" : " ",
                         outwards ? "fine to coarse" : "coarse to fine");
-            for (const double cells : {1., 2., 3., 4., 6., 8.})
+            for (std::size_t i = 0; i < widths.size(); ++i)
               {
-                const double r =
-                    outwards ? reflection(levels, levels, 0, peak, cells) : reflection(levels, 0, levels, peak, cells);
-                std::printf("  %g: %.2f", cells, 100. * r);
-                if (cells >= 6)
-                  EXPECT_LT(r, 0.01);
+                const double r = outwards ? reflection(levels, levels, 0, peak, widths[i])
+                                          : reflection(levels, 0, levels, peak, widths[i]);
+                std::printf("  %g cells %.2f", widths[i], 100. * r);
+                EXPECT_LT(r, bounds[i]);
               }
             std::printf("\n");
           }

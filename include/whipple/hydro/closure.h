@@ -14,12 +14,12 @@ namespace whipple::closure
   inline constexpr double closed_share = 1e-9;
 
   /// Share of the cell from which on material under pressure begins to resist although there is void left.
-  inline constexpr double resisting_share = 0.9;
+  inline constexpr double resisting_share = 0.95;
 
   /// Part w of a compression -dV of a cell with open void that its materials take, -sum dV_m = w (-dV); the pressure
   /// on the nodes is w times that of the materials, so that work and change of volume agree:
   ///
-  ///     w = max(1 - o / strain, f S((f - 0.9) / 0.1) if the materials are under pressure),   o = 1 - f,
+  ///     w = max(1 - o / strain, f S((f - 0.95) / 0.05) if the materials are under pressure),   o = 1 - f,
   ///     S = 3 x^2 - 2 x^3 in [0, 1]
   ///
   /// The first term closes the void before anything is compressed. The second lets material under pressure that nearly
