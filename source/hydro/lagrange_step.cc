@@ -127,7 +127,7 @@ namespace whipple
     : mesh_(mesh)
     , materials_(materials)
     , parameters_(parameters)
-    , motion_(mesh, boundaries)
+    , motion_(mesh, boundaries, materials)
     , work_(make_work(mesh, materials, boundaries))
     , scratch_(material_passes::make_scratch(materials, mesh.n_cells))
   {
@@ -229,7 +229,7 @@ namespace whipple
     motion_.predict(state, dt, work_);
     cell_kernels::stretch_rates(mesh_, state, work_);
     cell_kernels::corner_forces(mesh_, state, parameters_, dt, work_);
-    motion_.load_sides(state, work_);
+    motion_.load_sides(state, dt, work_);
     const BoundaryExchange<dim> exchange    = motion_.move(state, dt, work_);
     cell_kernels::Dissipation   dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
     if (!work_.viscous_force.empty())

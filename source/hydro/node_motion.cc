@@ -9,7 +9,8 @@
 namespace whipple
 {
   template <int dim>
-  NodeMotion<dim>::NodeMotion(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries)
+  NodeMotion<dim>::NodeMotion(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries,
+                              const std::vector<Material> &materials)
     : mesh_(mesh)
     , boundaries_(boundaries)
     , node_owned_(mesh.n_nodes)
@@ -48,9 +49,15 @@ namespace whipple
         }
     std::sort(traction_node_.begin(), traction_node_.end());
     traction_node_.erase(std::unique(traction_node_.begin(), traction_node_.end()), traction_node_.end());
-    if (!loaded_.empty())
-      for (auto &component : traction_)
+    if (loaded_.empty())
+      return;
+    for (auto *nodal : {&traction_, &damping_})
+      for (auto &component : *nodal)
         component.assign(mesh.n_nodes, 0.);
+    beyond_.resize(boundaries.size());
+    for (std::size_t side = 0; side < boundaries.size(); ++side)
+      for (std::size_t m = 0; m < materials.size(); ++m)
+        beyond_[side].push_back(beyond_side(boundaries[side], m, *materials[m].eos));
   }
 
   template <int dim>
@@ -98,30 +105,7 @@ namespace whipple
       return {factor * (2. * r[0] + r[1]), factor * (r[0] + 2. * r[1])};
     }
 
-    /// Longitudinal and shear wave impedance of a cell, g/(cm^2 us), weighted by the share of the cell that
-    /// each material takes.
-    template <int dim>
-    std::array<double, 2>
-    impedances(const State<dim> &state, const StepWork<dim> &work, Index cell)
-    {
-      std::array<double, 2> sum{};
-      for (std::size_t m = 0; m < state.material.size(); ++m)
-        {
-          const MaterialState &material = state.material[m];
-          if (!(material.volume[cell] > 0))
-            continue;
-          const double share = material.volume[cell] / state.volume[cell], density = material.density[cell];
-          const double c2    = material.sound_speed[cell] * material.sound_speed[cell];
-          double       shear = 0;
-          if (!work.material[m].shear_modulus.empty())
-            shear = work.material[m].shear_modulus[cell] *
-                    (material.has_voids() ? 1. - material.void_fraction[cell] : 1.) / density;
-          sum[0] += share * density * std::sqrt(c2 + 4. / 3. * shear);
-          sum[1] += share * density * std::sqrt(shear);
-        }
-      return sum;
-    }
-    /// Share of the Lysmer traction that acts, from its size and that of the force of the cell on the face.
+    /// Share of the traction of a wave that acts, from its size and that of the force of the cell on the face.
     /// Material whose stress is small beside rho c v flies: its traction is at most its own force (any more would
     /// compress it, raise its stress and with it the traction). From a fifth of rho c v on it carries a wave.
     double
@@ -137,16 +121,19 @@ namespace whipple
 
   template <int dim>
   void
-  NodeMotion<dim>::load_sides(const State<dim> &state, const StepWork<dim> &work)
+  NodeMotion<dim>::load_sides(const State<dim> &state, double dt, const StepWork<dim> &work)
   {
     for (const Index node : traction_node_)
-      for (auto &component : traction_)
-        component[node] = 0;
+      for (int d = 0; d < dim; ++d)
+        traction_[d][node] = damping_[d][node] = 0;
     for (const LoadedFace &face : loaded_)
-      if (boundaries_[face.side].kind == BoundaryKind::pressure)
-        press(face, state, work);
-      else
-        absorb(face, state, work);
+      {
+        const Boundary<dim> &side = boundaries_[face.side];
+        if (side.kind == BoundaryKind::pressure || side.keeps_ambient)
+          press(face, side.pressure, state, work);
+        if (side.kind == BoundaryKind::transmitting)
+          absorb(face, state, dt, work);
+      }
   }
 
   template <int dim>
@@ -166,12 +153,12 @@ namespace whipple
 
   template <int dim>
   void
-  NodeMotion<dim>::press(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work)
+  NodeMotion<dim>::press(const LoadedFace &face, double pressure, const State<dim> &state, const StepWork<dim> &work)
   {
     double material = 0;
     for (const MaterialState &m : state.material)
       material += m.volume[face.cell];
-    const double p  = boundaries_[face.side].pressure * std::min(1., material / state.volume[face.cell]);
+    const double p  = pressure * std::min(1., material / state.volume[face.cell]);
     const Edge   at = edge(face, work);
     if (at.length == 0)
       return;
@@ -184,23 +171,39 @@ namespace whipple
 
   template <int dim>
   void
-  NodeMotion<dim>::absorb(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work)
+  NodeMotion<dim>::absorb(const LoadedFace &face, const State<dim> &state, double dt, const StepWork<dim> &work)
   {
-    const Edge at        = edge(face, work);
-    const auto impedance = impedances(state, work, face.cell);
+    const Edge           at       = edge(face, work);
+    const Boundary<dim> &side     = boundaries_[face.side];
+    const int            axis     = face.side / 2;
+    const double         outwards = face.side % 2 ? 1. : -1., area = at.area[0] + at.area[1];
+    if (!(area > 0))
+      return;
+    SideContact contact{face.cell, axis, 0., state.volume[face.cell] / area, 0.};
+    for (int i = 0; i < 2; ++i)
+      {
+        const Index opposite = mesh_.cell_node[face.cell * 4 + (face.corner[i] ^ (1 << axis))];
+        contact.opening += 0.5 * outwards * (state.velocity[axis][at.node[i]] - state.velocity[axis][opposite]);
+        contact.sliding += 0.5 * (state.velocity[1 - axis][at.node[i]] - side.velocity[1 - axis]);
+      }
+    contact.sliding         = std::abs(contact.sliding);
+    const OutgoingWave wave = outgoing_wave(contact, beyond_[face.side], state, dt, work);
     for (int d = 0; d < dim; ++d)
       {
-        std::array<double, 2> force;
-        double                absorbing = 0, available = 0;
+        const double impedance = d == axis ? wave.normal : wave.tangential;
+        const double at_rest   = (d == axis ? -outwards * wave.pressure : 0.) + impedance * side.velocity[d];
+        double       absorbing = 0, available = 0;
         for (int i = 0; i < 2; ++i)
           {
-            force[i] = -impedance[d == face.side / 2 ? 0 : 1] * at.area[i] * state.velocity[d][at.node[i]];
-            absorbing += std::abs(force[i]);
+            absorbing += std::abs((at_rest - impedance * state.velocity[d][at.node[i]]) * at.area[i]);
             available += work.corner_force[(face.cell * 4 + face.corner[i]) * dim + d];
           }
-        const double share = absorbed_share(absorbing, std::abs(available));
+        const double share = side.keeps_ambient ? 1. : absorbed_share(absorbing, std::abs(available));
         for (int i = 0; i < 2; ++i)
-          traction_[d][at.node[i]] += share * force[i];
+          {
+            traction_[d][at.node[i]] += share * at_rest * at.area[i];
+            damping_[d][at.node[i]] += share * impedance * at.area[i];
+          }
       }
   }
 
@@ -251,14 +254,27 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  NodeMotion<dim>::accelerate_loaded(const State<dim> &state, double dt, StepWork<dim> &work)
+  {
+    // implicit in the mean velocity: the traction then belongs to the same time as the forces of the cells
+    for (const Index node : traction_node_)
+      if (const double mass = state.node_mass[node]; mass > 0)
+        for (int d = 0; d < dim; ++d)
+          {
+            const double v = state.velocity[d][node], drag = damping_[d][node];
+            const double force     = work.node_force[d][node] + traction_[d][node];
+            const double change    = dt * (force - drag * v) / (mass + 0.5 * dt * drag);
+            work.velocity[d][node] = v + change;
+            traction_[d][node] -= drag * (v + 0.5 * change);
+          }
+  }
+
+  template <int dim>
   BoundaryExchange<dim>
-  NodeMotion<dim>::move(const State<dim> &state, double dt, StepWork<dim> &work) const
+  NodeMotion<dim>::move(const State<dim> &state, double dt, StepWork<dim> &work)
   {
     sum_corner_forces(work);
-    for (const Index node : traction_node_)
-      for (int d = 0; d < dim; ++d)
-        work.node_force[d][node] += traction_[d][node];
-
     for (int d = 0; d < dim; ++d)
       {
         const double *force = work.node_force[d].data(), *mass = state.node_mass.data();
@@ -268,6 +284,7 @@ namespace whipple
           next[node] = mass[node] > 0 ? v[node] + dt * (force[node] / mass[node]) : v[node];
       }
 
+    accelerate_loaded(state, dt, work);
     BoundaryExchange<dim> exchange;
     constrain(state, dt, work, exchange);
 

@@ -62,31 +62,53 @@ namespace whipple
   void
   MomentumTransport<dim>::mix_drained_nodes(const State<dim> &state, const int axis)
   {
+    // drained nodes may feed each other, also in circles: each pass brings them nearer to what they all give
+    constexpr int    most_passes = 200;
+    constexpr double round_off   = 2e-15;
     mixed_.resize(drained_.size());
-    // a drained node may feed another one: each pass settles the next of such a chain
-    constexpr int longest_chain = 4;
-    for (int pass = 0; pass < longest_chain; ++pass)
+    for (int pass = 0; pass < most_passes; ++pass)
       {
+        bool settled = true;
         for (std::size_t i = 0; i < drained_.size(); ++i)
           {
             const Index n = drained_[i];
-            Vector<dim> given;
+            Mixture     given{{}, excess_[n]};
             for (int d = 0; d < dim; ++d)
-              given[d] = up_[d][n];
+              given.velocity[d] = up_[d][n];
             // seen from what it gives, a node's outflow has no momentum: held + inflow remain
             Exchange exchange;
-            gather_drained(state, axis, n, given, exchange);
+            gather_drained(state, axis, n, given.velocity, exchange);
+            const double spread = std::sqrt(std::abs(exchange.square) / exchange.inflow);
+            mixed_[i]           = given;
+            // what is nothing but round-off stays as it is: the next pass must not depend on how many went before
             for (int d = 0; d < dim; ++d)
               {
                 const int s = ruling_side<dim>(boundaries_, mesh_->node_side[n], d);
                 // what flows in from beyond a symmetry plane brings the opposite normal momentum
-                const bool mirrored = s != none && boundaries_[s].kind == BoundaryKind::reflecting;
-                mixed_[i][d]        = mirrored ? 0. : given[d] + exchange.momentum[d] / exchange.inflow;
+                const bool   mirrored = s != none && boundaries_[s].kind == BoundaryKind::reflecting;
+                const double change   = mirrored ? -given.velocity[d] : exchange.momentum[d] / exchange.inflow;
+                if (!(std::abs(change) > round_off * (std::abs(given.velocity[d]) + spread)))
+                  continue;
+                mixed_[i].velocity[d] += change;
+                settled = false;
+              }
+            const double out    = exchange.inflow - dual_.balance[n].mass;
+            const double loss   = 0.5 * exchange.square - out * given.excess;
+            const double excess = -loss / exchange.inflow;
+            if (std::abs(excess - given.excess) > 10. * round_off * (std::abs(excess) + std::abs(given.excess)))
+              {
+                mixed_[i].excess = excess;
+                settled          = false;
               }
           }
         for (std::size_t i = 0; i < drained_.size(); ++i)
-          for (int d = 0; d < dim; ++d)
-            up_[d][drained_[i]] = down_[d][drained_[i]] = mixed_[i][d];
+          {
+            for (int d = 0; d < dim; ++d)
+              up_[d][drained_[i]] = down_[d][drained_[i]] = mixed_[i].velocity[d];
+            excess_[drained_[i]] = mixed_[i].excess;
+          }
+        if (settled)
+          break;
       }
   }
 
@@ -200,7 +222,7 @@ namespace whipple
       gather_special(axis, node, h, 0.5, velocity, exchange);
     if (nodes_.on_side(node, axis))
       {
-        add_flux(node, up_, -dual_.boundary_out[node], 0., velocity, exchange);
+        add_flux(node, up_, -dual_.boundary_out[node], excess_[node], velocity, exchange);
         add_flux(node, state.velocity, dual_.boundary_in[node], 0., velocity, exchange); // zero gradient
       }
   }
@@ -247,18 +269,14 @@ namespace whipple
   template <int dim>
   void
   MomentumTransport<dim>::change_of(const State<dim> &state, const int axis, const Index node,
-                                    const Vector<dim> *const mixed, Change &change) const
+                                    const Mixture *const mixed, Change &change) const
   {
     const double mass_before = state.node_mass[node], mass = dual_.balance[node].mass;
     if (mixed)
       {
-        change.reference = *mixed;
-        gather_drained(state, axis, node, *mixed, change.exchange);
-        // nothing but round-off is left unless a drained neighbour gave something else than before mixing
-        const double scale = std::sqrt(change.exchange.square * change.exchange.inflow);
-        for (int d = 0; d < dim && mass > 0; ++d)
-          if (std::abs(change.exchange.momentum[d]) > 1e-13 * scale)
-            change.velocity[d] = change.exchange.momentum[d] / mass;
+        change.reference = mixed->velocity;
+        gather_drained(state, axis, node, mixed->velocity, change.exchange);
+        // what is left keeps the mixture
         return;
       }
     for (int d = 0; d < dim; ++d)
@@ -297,21 +315,6 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::book_loss(const Index node, const int axis, const double loss, RemapReport<dim> &report) const
-  {
-    if (!counts(node))
-      return;
-    report.kinetic_lost += loss;
-    if (dual_.balance[node].mass > 0 || !nodes_.on_side(node, axis) || !parameters_.kinetic_loss_to_heat)
-      return;
-    // all that could be heated has left through the side
-    const int lower = 2 * axis, side = lower + (mesh_->node_side[node] >> lower & 1 ? 0 : 1);
-    report.side[side].internal += loss;
-    report.kinetic_heated += loss;
-  }
-
-  template <int dim>
-  void
   MomentumTransport<dim>::update_nodes(State<dim> &state, const int axis, RemapReport<dim> &report)
   {
     std::size_t next_drained = 0; // drained_ is in the order of the nodes
@@ -340,7 +343,8 @@ namespace whipple
           }
         if (mass > 0)
           specific_loss_[n] = loss / mass;
-        book_loss(n, axis, loss, report);
+        if (counts(n))
+          report.kinetic_lost += loss;
         state.node_mass[n] = mass;
       }
     for (std::size_t i = 0; i < mesh_->hanging.size(); ++i)
@@ -375,6 +379,17 @@ namespace whipple
                 const double v = outwards > 0 ? up_[d][n] : state.velocity[d][n];
                 side.momentum[d] += outwards * v;
                 side.kinetic += 0.5 * outwards * v * v;
+              }
+            if (outwards > 0)
+              {
+                // heat of mixing in a node that gave all it had leaves with what it gave
+                const double heat = -excess_[n] * outwards;
+                report.kinetic_lost += heat;
+                if (parameters_.kinetic_loss_to_heat)
+                  {
+                    report.kinetic_heated += heat;
+                    side.internal += heat;
+                  }
               }
           }
       }

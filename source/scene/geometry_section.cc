@@ -30,7 +30,9 @@ namespace whipple::sections
             boundary.kind = kind;
             return boundary;
           }
-      if (const auto velocity = text_after("inflow", text))
+      if (text == "transmitting, keeps ambient stress")
+        boundary.keeps_ambient = true; // of which the bodies tell later
+      else if (const auto velocity = text_after("inflow", text))
         {
           boundary.kind     = BoundaryKind::inflow;
           boundary.velocity = section.parse_vector<dim>(side, *velocity, units::velocity);
@@ -41,8 +43,9 @@ namespace whipple::sections
           boundary.pressure = plausible::pressure(section, side, *pressure);
         }
       else
-        section.reject(side, "allowed are reflecting, transmitting, keep velocity, exact, inflow with a velocity such "
-                             "as 'inflow 0 cm/us, 0.01 cm/us', and pressure with a value such as 'pressure 1 MPa'");
+        section.reject(side, "allowed are reflecting, transmitting, 'transmitting, keeps ambient stress', keep "
+                             "velocity, exact, inflow with a velocity such as 'inflow 0 cm/us, 0.01 cm/us', and "
+                             "pressure with a value such as 'pressure 1 MPa'");
       return boundary;
     }
     /// Axis 0 of a polar lattice is a radius, whose sides are arcs; the upper side of axis 1 is the axis of (r, z).
@@ -75,8 +78,8 @@ namespace whipple::sections
                     "none | saltzman (sheared along the longer axis) | polar (axis 0: radius, axis 1: angle, "
                     "equator to axis); moving meshes only");
     section.declare("Left", "reflecting",
-                    "reflecting | transmitting | inflow VELOCITY, VELOCITY | pressure PRESSURE | keep velocity | "
-                    "exact; the axis in axisymmetry is reflecting");
+                    "reflecting | transmitting | transmitting, keeps ambient stress | inflow VELOCITY, VELOCITY | "
+                    "pressure PRESSURE | keep velocity | exact; the axis in axisymmetry is reflecting");
     section.declare("Right", "transmitting", "as Left");
     section.declare("Bottom", "transmitting", "as Left");
     section.declare("Top", "transmitting", "as Left");

@@ -120,6 +120,7 @@ namespace whipple
     scene.materials = sections::read_materials(parameters);
     scene.bodies    = sections::read_bodies<dim>(parameters, scene);
     sections::check_bodies<dim>(parameters, scene);
+    sections::read_side_media<dim>(parameters, scene);
     scene.stages = sections::read_stages<dim>(parameters, scene);
     sections::read_effects<dim>(parameters, scene);
     scene.numerics = sections::read_numerics(parameters);

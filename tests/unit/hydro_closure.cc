@@ -26,9 +26,10 @@ namespace
 
   TEST(HydroClosure, MaterialUnderPressureThatNearlyFillsTheCellIsCompressedWithIt)
   {
-    // w = f S(2 f - 1): S(0.4) = 0.352, S(0.998) = 1 - 1.2e-5
-    EXPECT_DOUBLE_EQ(share(1., 0.8, {{0.7, 1., 0.1}})[0], 0.7 - 0.7 * 0.352 * 0.2);
-    EXPECT_NEAR(share(1., 0.9999, {{0.999, 1., 0.1}})[0] / 0.999, 0.9999, 1e-8);
+    // w = f S(20 f - 19): S(0) = 0, S(0.5) = 0.5, S(0.98) = 1 - 1.184e-3
+    EXPECT_EQ(share(1., 0.8, {{0.7, 1., 0.1}})[0], 0.7);
+    EXPECT_DOUBLE_EQ(share(1., 0.98, {{0.975, 1., 0.1}})[0], 0.975 - 0.975 * 0.5 * 0.02);
+    EXPECT_NEAR(share(1., 0.9999, {{0.999, 1., 0.1}})[0] / 0.999, 1. - 0.998816e-4, 1e-12);
     // and the cell is never overfull
     EXPECT_DOUBLE_EQ(share(1., 0.6, {{0.7, 1., 0.1}})[0], 0.6);
   }

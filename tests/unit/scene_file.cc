@@ -283,6 +283,21 @@ namespace
     EXPECT_EQ(piston.materials[0].request.constants.at("Sound speed"), 0.533);
   }
 
+  // The medium beyond a side is what touches it: here two plates at rest.
+  TEST(SceneFile, AmbientStressIsThatOfTheBodiesAtTheSide)
+  {
+    const TemporaryScene file(
+        edited_shield("set Right  = transmitting", "set Right  = transmitting, keeps ambient stress"));
+    const Scene<2>     scene = read_scene<2>(file.path());
+    const Boundary<2> &right = scene.boundaries[1];
+    EXPECT_EQ(right.kind, BoundaryKind::transmitting);
+    EXPECT_TRUE(right.keeps_ambient);
+    EXPECT_FALSE(scene.boundaries[2].keeps_ambient);
+    EXPECT_EQ(right.pressure, 0.);
+    ASSERT_EQ(right.medium.size(), 1u);
+    EXPECT_DOUBLE_EQ(right.medium[0].density, 2.785);
+  }
+
   TEST(SceneFile, InfiniteConstants)
   {
     const Scene<2> scene = read_scene<2>(
@@ -349,6 +364,8 @@ namespace
          "allowed is reflecting"},
         {"set Right  = transmitting", "set Right  = open", "Geometry/Right", "open", "inflow with a velocity"},
         {"set Right  = transmitting", "set Right  = inflow 1", "Geometry/Right", "inflow 1", "the unit is missing"},
+        {"set Bottom = transmitting", "set Bottom = transmitting, keeps ambient stress", "Geometry/Bottom",
+         "transmitting, keeps ambient stress", "no body touches this side"},
         {"= 1.5 us", "= 1.5", "Stages/perforation/End", "1.5", "the unit is missing; allowed is a time"},
         {"= 1.5 us", "= -1.5 us", "Stages/perforation/End", "-1.5 us", "must be > 0"},
         {"reaches wall", "reaches bumper", "Stages/debris/End", "until leading edge reaches bumper", "already"},

@@ -13,23 +13,27 @@ namespace whipple::closure
   /// behind when a cell is full.
   inline constexpr double closed_share = 1e-9;
 
+  /// Share of the cell from which on material under pressure begins to resist although there is void left.
+  inline constexpr double resisting_share = 0.95;
+
   /// Part w of a compression -dV of a cell with open void that its materials take, -sum dV_m = w (-dV); the pressure
   /// on the nodes is w times that of the materials, so that work and change of volume agree:
   ///
-  ///     w = max(1 - o / strain, f S(2 f - 1) if the materials are under pressure),   o = 1 - f,   S = 3 x^2 - 2 x^3 in
-  ///     [0, 1]
+  ///     w = max(1 - o / strain, f S((f - 0.95) / 0.05) if the materials are under pressure),   o = 1 - f,
+  ///     S = 3 x^2 - 2 x^3 in [0, 1]
   ///
   /// The first term closes the void before anything is compressed. The second lets material under pressure that nearly
   /// fills the cell be compressed with it (w = f), or void that comes back with every remap would keep it from ever
-  /// resisting; a wisp in a cell that closes is left alone, or it would have to carry all the cell's load.
+  /// resisting; a wisp in a cell that closes is left alone, or it would have to carry all the cell's load, and a gap
+  /// in a cell closes before its two sides press on each other.
   /// @param filled f = sum V_m / V
   /// @param strain -dV / V > 0
   template <typename Number, typename Mask>
   inline Number
   compressed_share(const Number &filled, const Number &strain, const Mask &under_pressure)
   {
-    const Number zero(0.), one(1.), half_filled = 2. * filled - 1.;
-    const Number x       = select(half_filled < 0., zero, select(half_filled > 1., one, half_filled));
+    const Number zero(0.), one(1.), beyond = (filled - resisting_share) / (1. - resisting_share);
+    const Number x       = select(beyond < 0., zero, select(beyond > 1., one, beyond));
     const Number closing = 1. - (1. - filled) / strain;
     const Number pressed = select(under_pressure, Number(filled * x * x * (3. - 2. * x)), zero);
     return select(closing > pressed, closing, pressed);

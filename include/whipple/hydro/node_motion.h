@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/hydro/step_work.h>
+#include <whipple/hydro/transmitting_side.h>
 #include <whipple/material/material.h>
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
@@ -24,7 +25,7 @@ namespace whipple
   class NodeMotion
   {
   public:
-    NodeMotion(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries);
+    NodeMotion(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const std::vector<Material> &materials);
 
     /// work.half_position = x + dt/2 v.
     void
@@ -41,17 +42,18 @@ namespace whipple
     void
     drive(const State<dim> &state, std::array<std::vector<double>, dim> &velocity) const;
 
-    /// Force of sides on their nodes into the object's own array, on the material that touches them.
-    /// Sides with a pressure p: -p n per unit area. Absorbing (Lysmer) sides: -rho c v_n and, with
-    /// strength, -rho c_s v_t per unit area, but no more than the force of the cell on that face
-    /// where that is small beside it: what carries no stress leaves freely. Needs work.corner_force.
+    /// Force of sides on their nodes into the object's own arrays, on the material that touches them.
+    /// Sides with a pressure p: -p n per unit area. Transmitting sides: the traction that an outgoing wave meets
+    /// (transmitting_side.h), but no more than the force of the cell on that face where that is small beside it: what
+    /// carries no stress leaves freely. Where the side keeps the ambient stress: all of it, and that stress.
+    /// Needs work.corner_force.
     void
-    load_sides(const State<dim> &state, const StepWork<dim> &work);
+    load_sides(const State<dim> &state, double dt, const StepWork<dim> &work);
 
     /// Sum corner forces over nodes (hanging nodes hand theirs to their masters), accelerate, apply the sides,
     /// move: work.velocity, work.mean_velocity, work.position.
     BoundaryExchange<dim>
-    move(const State<dim> &state, double dt, StepWork<dim> &work) const;
+    move(const State<dim> &state, double dt, StepWork<dim> &work);
 
   private:
     /// A face of a cell on a side that absorbs or presses.
@@ -80,20 +82,26 @@ namespace whipple
     Edge
     edge(const LoadedFace &face, const StepWork<dim> &work) const;
     void
-    absorb(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work);
+    absorb(const LoadedFace &face, const State<dim> &state, double dt, const StepWork<dim> &work);
     void
-    press(const LoadedFace &face, const State<dim> &state, const StepWork<dim> &work);
+    press(const LoadedFace &face, double pressure, const State<dim> &state, const StepWork<dim> &work);
+    /// Velocities of the nodes of loaded faces; leaves the force of the sides in traction_.
+    void
+    accelerate_loaded(const State<dim> &state, double dt, StepWork<dim> &work);
     void
     sum_corner_forces(StepWork<dim> &work) const;
     void
     constrain(const State<dim> &state, double dt, StepWork<dim> &work, BoundaryExchange<dim> &exchange) const;
 
-    const FlatMesh<dim>                 &mesh_;
-    const Boundaries<dim>                boundaries_;
-    std::vector<LoadedFace>              loaded_;
-    std::vector<ConstrainedNode>         constrained_;
-    std::vector<Index>                   traction_node_;        ///< nodes of loaded faces, in ascending order
-    std::array<std::vector<double>, dim> traction_;             ///< [n_nodes] Mbar cm^2; empty without loaded faces
+    const FlatMesh<dim>         &mesh_;
+    const Boundaries<dim>        boundaries_;
+    std::vector<LoadedFace>      loaded_;
+    std::vector<ConstrainedNode> constrained_;
+    std::vector<Index>           traction_node_; ///< nodes of loaded faces, in ascending order
+    /// [n_nodes] force of the sides on nodes at rest, Mbar cm^2, and what it falls by with their mean velocity in the
+    /// step, g/us; empty without loaded faces.
+    std::array<std::vector<double>, dim> traction_, damping_;
+    std::vector<std::vector<BeyondSide>> beyond_;               ///< [side][material]
     std::vector<std::uint8_t>            node_owned_;           ///< first corner belongs to an owned cell
     bool                                 drives_nodes_ = false; ///< a side is `inflow` or `exact`
   };

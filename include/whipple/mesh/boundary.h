@@ -6,14 +6,22 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace whipple
 {
+  /// Material as it is beyond a side before any wave arrives.
+  struct SideMedium
+  {
+    double density = 0; ///< g/cm^3; 0: not given, the material's reference density
+    double energy  = 0; ///< specific internal energy, Mbar cm^3/g
+  };
+
   /// What happens at a side of the domain.
   enum class BoundaryKind
   {
     reflecting,    ///< symmetry plane, axis or rigid smooth wall: normal velocity 0
-    transmitting,  ///< material leaves freely; waves in material that touches the side are absorbed
+    transmitting,  ///< material leaves; waves in material that touches the side are absorbed
     inflow,        ///< velocity of the side's nodes is prescribed (pistons)
     pressure,      ///< a pressure acts on the material that touches the side, which may leave
     keep_velocity, ///< the side's nodes keep the velocity they have (flows driven from outside)
@@ -25,8 +33,14 @@ namespace whipple
   struct Boundary
   {
     BoundaryKind            kind = BoundaryKind::transmitting;
-    std::array<double, dim> velocity{};   ///< cm/us, for `inflow` only
-    double                  pressure = 0; ///< Mbar, for `pressure` only
+    std::array<double, dim> velocity{};   ///< cm/us, of `inflow` and of the medium beyond a transmitting side
+    double                  pressure = 0; ///< Mbar, of `pressure` and of the medium beyond a transmitting side
+
+    /// `transmitting` only: the medium goes on beyond the side with the pressure, the velocity and (by material) the
+    /// state given here, and presses on what touches the side. Without it nothing is there that presses, and material
+    /// that carries no stress leaves freely.
+    bool                    keeps_ambient = false;
+    std::vector<SideMedium> medium;
 
     /// Velocity (cm/us) at a point (cm) and a time (us), for `exact` only.
     std::function<Vector<dim>(const Vector<dim> &x, double time)> motion;

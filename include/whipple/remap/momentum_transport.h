@@ -40,6 +40,13 @@ namespace whipple
       double      square = 0;
     };
 
+    /// What a node that gives away more than it held gives, and keeps: the mixture of all that reaches it.
+    struct Mixture
+    {
+      Vector<dim> velocity{};
+      double      excess = 0; ///< minus the kinetic energy a gram that mixing cost: the receivers are heated by it
+    };
+
     /// New velocity of a node: reference + velocity.
     struct Change
     {
@@ -114,11 +121,9 @@ namespace whipple
     Vector<dim>
     first_velocity(int axis, Index node) const;
     void
-    change_of(const State<dim> &state, int axis, Index node, const Vector<dim> *mixed, Change &change) const;
+    change_of(const State<dim> &state, int axis, Index node, const Mixture *mixed, Change &change) const;
     void
     constrain(Index node, double time, Change &change, RemapReport<dim> &report) const;
-    void
-    book_loss(Index node, int axis, double loss, RemapReport<dim> &report) const;
     void
     update_nodes(State<dim> &state, int axis, RemapReport<dim> &report);
     void
@@ -147,7 +152,7 @@ namespace whipple
     std::array<std::vector<double>, dim> gradient_;  ///< of uneven nodes, along the axis, 1/us; others 0
     std::vector<double>                  excess_;    ///< kinetic energy a gram that what leaves does not carry on
     std::vector<Index>                   drained_;   ///< nodes that give away more than they held
-    std::vector<Vector<dim>>             mixed_;     ///< their velocities after mixing with the inflow
+    std::vector<Mixture>                 mixed_;     ///< what they give after mixing with the inflow
     std::vector<double>                  specific_loss_; ///< [node] kinetic energy lost a gram of the node
   };
 } // namespace whipple

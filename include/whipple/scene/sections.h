@@ -59,6 +59,13 @@ namespace whipple::sections
   void
   check_bodies(SceneParameters &parameters, const Scene<dim> &scene);
 
+  /// The ambient state beyond sides that keep it: that of the bodies which touch them; needs the scene's bodies,
+  /// materials and lattice.
+  /// @throws InputError where no body touches such a side, or bodies of different states do
+  template <int dim>
+  void
+  read_side_media(SceneParameters &parameters, Scene<dim> &scene);
+
   void
   declare_stages(SceneParameters &parameters, const std::vector<std::string> &names);
   /// Needs the scene's bodies.
