@@ -21,8 +21,8 @@ import os
 import pathlib
 import random
 import re
-import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -38,10 +38,30 @@ PLAIN_SUMS = ("viscous work", "hourglass work", "plastic work", "remap loss", "c
 
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
-                   OMPI_MCA_btl_vader_single_copy_mechanism="none")
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_mpi_yield_when_idle="1")
 ENVIRONMENT.setdefault("ASAN_OPTIONS", "detect_leaks=0")  # MPI libraries never give back all they took
 
 Outcome = collections.namedtuple("Outcome", "failure status reason seconds")  # failure: (kind, detail) or None
+
+
+def processes_with(mark):
+    """Processes whose command line holds a mark."""
+    found = []
+    for folder in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            if mark.encode() in (folder / "cmdline").read_bytes():
+                found.append(int(folder.name))
+        except OSError:
+            pass  # it has just ended
+    return found
+
+
+def processor_seconds(pid):
+    try:
+        fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    except (OSError, IndexError):
+        return 0.
 
 
 def numbers_of(value):
@@ -139,19 +159,31 @@ class Driver:
     def start(self, scene, ranks, folder, name):
         """Run a scene: (status, text, directory); status None after the limit on processor time."""
         file, directory = folder / f"{name}.prm", folder / name
-        limit = math.ceil(self.options.timeout)
         file.write_text(fuzz_scene.text(scene), encoding="utf-8")
-        process = subprocess.Popen(self.command(file, ranks, directory), cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True,
-                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)))
-        try:
-            text, _ = process.communicate(timeout=PATIENCE * self.options.timeout)
-            out_of_time = process.returncode in (-24, 152, -9, 137) or "signal 24" in text
-            return None if out_of_time else process.returncode, text, directory
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, 9)  # the ranks too
-            process.communicate()
-            return None, "", directory
+        with open(folder / f"{name}.txt", "w+", encoding="utf-8", errors="replace") as output:
+            process = subprocess.Popen(self.command(file, ranks, directory), cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+                                       stdout=output, stderr=subprocess.STDOUT)
+            status = self.wait(process, str(directory))
+            output.seek(0)
+            return status, output.read(), directory
+
+    def wait(self, process, mark):
+        """Exit status of a run, None if it was ended because it took too long: all its ranks have `mark` in their command."""
+        began = time.time()
+        while True:
+            try:
+                return process.wait(timeout=0.2 if time.time() - began < 5 else 1.)
+            except subprocess.TimeoutExpired:
+                pass
+            used = max(map(processor_seconds, processes_with(mark)), default=0.)
+            if used > self.options.timeout or time.time() - began > PATIENCE * self.options.timeout:
+                for pid in processes_with(mark):
+                    try:
+                        os.kill(pid, signal.SIGKILL)
+                    except OSError:
+                        pass  # it has just ended
+                process.wait()
+                return None
 
     def hang(self, directory):
         columns = statistics(directory)
@@ -258,10 +290,11 @@ def main():
     began, outcomes = time.time(), []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         work = lambda number: driver.one(number) if time.time() - began < options.budget else None
-        for result in pool.map(work, range(options.first, options.first + options.scenes)):
-            if result is None:
+        started = [pool.submit(work, number) for number in range(options.first, options.first + options.scenes)]
+        for done in concurrent.futures.as_completed(started):
+            if done.result() is None:  # out of budget
                 continue
-            number, outcome, file = result
+            number, outcome, file = done.result()
             outcomes.append(outcome)
             if outcome.failure:
                 print(f"scene {number}: {outcome.failure[0]}: {outcome.failure[1]}  ({file})", flush=True)

@@ -61,8 +61,8 @@ def strength(r, library, material, constants):
         material["Hardening modulus"] = units(logarithmic(r, 10, 1000), "MPa")
 
 
-def void_law(r, material):
-    kind = r.choice(["none", "rate", "rate", "equilibrium", "p-alpha"])
+def void_law(r, material, needed):
+    kind = r.choice(["rate" if needed else "none", "rate", "rate", "equilibrium", "p-alpha"])
     material["Void law"] = kind
     if kind == "rate":
         material["Alpha"] = r.choice([units(logarithmic(r, 1e-2, 1e9), "us/cm^2"), "0 us/cm^2", "infinite"])
@@ -78,7 +78,7 @@ def void_law(r, material):
     return kind
 
 
-def solid(r):
+def solid(r, voids):
     """A condensed material with its laws."""
     kind = r.choices(["mie-grueneisen", "cubic mie-grueneisen", "tillotson", "solid-liquid-vapour", "linear polynomial",
                       "stiffened gas"], [6, 2, 3, 1, 1, 1])[0]
@@ -97,7 +97,7 @@ def solid(r):
     constants = METALS.get(library, ()) if kind in ("mie-grueneisen", "linear polynomial") else ()
     if kind != "stiffened gas":
         strength(r, library if constants else None, material, constants)
-    void = void_law(r, material)
+    void = void_law(r, material, voids)
     if void != "none" and material.get("Strength", "none") != "none" and r.random() < 0.3:
         material["Failure"] = "johnson-cook damage" if "damage" in constants and r.random() < 0.5 else "spall"
         if void == "p-alpha":
@@ -113,14 +113,14 @@ def solid(r):
     return material
 
 
-def effects(r, materials):
+def effects(r, materials, voids):
     """What the materials can do, most of it on."""
     wanted = []
     has = lambda key: any(m.get(key, "none") != "none" for m in materials.values())
     if has("Strength") and r.random() < 0.9:
         wanted.append("strength")
     porous = any(m.get("Void law") == "p-alpha" for m in materials.values())  # pores need the effect
-    if has("Void law") and (r.random() < 0.9 or porous):
+    if has("Void law") and (r.random() < 0.9 or porous or voids):
         wanted.append("voids")
         if has("Failure") and r.random() < 0.8:
             wanted.append("failure")
@@ -189,16 +189,14 @@ def bodies(r, planar, names, cell, width, speed):
     return result, low, front
 
 
-def stages(r, all_bodies, step, cell):
+def stages(r, all_bodies, step, handed_over):
     """One to four stages; Lagrangian ones of all cohesions anywhere."""
     result = {}
     plates = [name for name in all_bodies if name.startswith("plate")]
     late = plates[-1] if len(plates) > 1 and "filling" not in all_bodies and r.random() < 0.5 else None
-    modes = r.choice([["eulerian"], ["lagrangian"], ["eulerian", "lagrangian"], ["lagrangian", "eulerian"],
-                      ["eulerian", "lagrangian", "eulerian"], ["lagrangian", "eulerian", "lagrangian", "eulerian"]])
-    if late and modes[-1] != "eulerian":
-        modes = ["eulerian", "lagrangian", "eulerian"]
-    if late and len(modes) == 1:
+    chains = [["eulerian", "lagrangian"], ["eulerian", "lagrangian", "eulerian"], ["lagrangian", "eulerian", "lagrangian", "eulerian"]]
+    modes = r.choice(chains if handed_over else [["eulerian"], ["lagrangian"], ["lagrangian", "eulerian"]])
+    if modes[-1] != "eulerian" or len(modes) == 1:
         late = None
     steps = STEPS / len(modes)
     for i, mode in enumerate(modes):
@@ -227,9 +225,10 @@ def make(seed, number):
     speed = logarithmic(r, 0.1, 20)
     cell = 0.02 * r.choice([1., 1., 1., logarithmic(r, 0.01, 100)])
     width = cell * r.choice([12, 16, 24])
-    materials = {f"m{i}": solid(r) for i in range(r.choice([1, 1, 2, 3]))}
+    handed_over = r.random() < 0.6  # from a fixed to a moving mesh: every material needs a void law then
+    materials = {f"m{i}": solid(r, handed_over) for i in range(r.choice([1, 1, 2, 3]))}
     names = {"solid": list(materials), "gas": []}
-    if r.random() < 0.15:
+    if not handed_over and r.random() < 0.3:
         materials["gas"] = {"Equation of state": "ideal gas", "Density": units(logarithmic(r, 1e-3, 0.1), "g/cm^3"),
                             "Adiabatic exponent": f"{r.uniform(1.1, 1.7):.3f}"}
         names["gas"] = ["gas"]
@@ -248,15 +247,15 @@ def make(seed, number):
     listed = list(materials)
     r.shuffle(listed)
     scene["Materials"] = {"List": ", ".join(listed), **materials}
-    wanted = effects(r, materials)
+    wanted = effects(r, materials, handed_over)
     if wanted:
         scene["Effects"] = {"List": ", ".join(wanted)}
     scene["Bodies"] = {"List": ", ".join(all_bodies), **all_bodies}
     step = 0.4 * cell / (0.7 + 0.1 * speed)
-    chain = stages(r, all_bodies, step, cell)
+    chain = stages(r, all_bodies, step, handed_over)
     scene["Stages"] = {"List": ", ".join(chain), **chain}
     if r.random() < 0.3:
         scene["Numerics"] = r.choice([{"Viscosity": "tensor"}, {"Remap order": "1"}, {"Courant number": f"{r.uniform(0.1, 0.9):.2f}"},
                                       {"Hourglass coefficient": f"{r.uniform(0, 0.3):.2f}"}])
     scene["Output"] = {"Fields interval": "none"}
-    return scene, r.choice([1, 1, 2, 3])
+    return scene, r.choice([1, 1, 1, 1, 1, 1, 2, 2, 3])

@@ -97,7 +97,7 @@ namespace whipple::stability
   cm(double value)
   {
     char text[40];
-    std::snprintf(text, sizeof text, "%.12g cm", value);
+    std::snprintf(text, sizeof text, "%.17g cm", value);
     return text;
   }
 
@@ -113,7 +113,7 @@ namespace whipple::stability
   velocity(double first, double second)
   {
     char text[80];
-    std::snprintf(text, sizeof text, "%.12g cm/us, %.12g cm/us", first, second);
+    std::snprintf(text, sizeof text, "%.15g cm/us, %.15g cm/us", first, second);
     return text;
   }
 
