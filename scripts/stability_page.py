@@ -113,9 +113,10 @@ def fuzz_section():
              "happen: a crash, something that is not a number, a hang, an open ledger (closure above 1e-12), kinetic energy above what the",
              "bodies brought, an exit status other than 0 or 3, a stop without a clear reason. The same seed makes the same scenes. A scene that",
              "fails is left with the command that repeats it.", "",
-             "    tests/stability/fuzz.py build/whipple --scenes 20                             in every test run",
-             "    ./whipple --debug build && tests/stability/fuzz.py build-debug/whipple --scenes 500    sanitizers, deal.II's assertions",
-             "    tests/stability/fuzz.py build/whipple --scenes 10000 --jobs 2                 all",
+             "    ./whipple fuzz                                  20 scenes of a new seed, as in every test run",
+             "    ./whipple --debug fuzz --scenes 500             under deal.II's assertions and sanitizers",
+             "    ./whipple fuzz --scenes 10000 --jobs 2          a day's work",
+             "    ./whipple fuzz --seed 7 --only 133 --reduce     the smallest scene that fails as number 133 of seed 7 does",
              ""]
     if not FUZZ.exists():
         return "\n".join(lines)

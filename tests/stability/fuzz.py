@@ -28,12 +28,14 @@ import sys
 import tempfile
 import time
 
+sys.dont_write_bytecode = True  # nothing into the source folder
+
 import fuzz_reduce
 import fuzz_scene
 
 CLOSURE = 1e-12           # of mass, momentum, energy
 GROWTH = 1 + 1e-9         # of kinetic energy, over all that bodies brought
-PATIENCE = 20             # times the limit on processor time that a run may take on the wall: the machine may be shared
+PATIENCE = 60             # times the limit on processor time that a run may take on the wall: the machine may be shared
 PLAIN_SUMS = ("viscous work", "hourglass work", "plastic work", "remap loss", "closure")  # equal to round-off only (doc/limitations.md)
 
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
