@@ -99,7 +99,7 @@ namespace
 } // namespace
 
 /// S. T. Zalesak, J. Comput. Phys. 31 (1979) 335-362: a disc with a slot turns once.
-TEST(QuickShapes, ZalesakDisc)
+TEST(Shapes, ZalesakDisc)
 {
   Case table("Zalesak's disc, 100 x 100 cells, one turn", "the disc falls to pieces or loses volume", "remap alone");
   const Mesh mesh   = uniform_mesh(Symmetry::planar, 0.01, {100, 100});
@@ -127,8 +127,8 @@ TEST(QuickShapes, VortexReversal)
   State<2> state = before;
   carry(mesh, state, period, 320, [](const Point &x, double t) {
     const double turn = std::cos(pi * t / period);
-    return Point{-turn * std::pow(std::sin(pi * x[0]), 2) * std::sin(2. * pi * x[1]),
-                 turn * std::pow(std::sin(pi * x[1]), 2) * std::sin(2. * pi * x[0])};
+    return Point{{-turn * std::pow(std::sin(pi * x[0]), 2) * std::sin(2. * pi * x[1]),
+                  turn * std::pow(std::sin(pi * x[1]), 2) * std::sin(2. * pi * x[0])}};
   });
   expect_shape(table, mesh, before, state);
 }

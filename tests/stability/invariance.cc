@@ -165,15 +165,17 @@ namespace
   }
 
   // Sums over the four corners of a cell and over the materials run in the order of their numbers, so what changes that
-  // order (a mirror, a turn, materials in another order) changes the last bits; steps grow that by 1e3. A turn also
-  // changes which axis the remap sweeps first: on the fixed mesh that is a difference of the scheme, not of round-off.
+  // order (a mirror, a turn, materials in another order) changes the last bits, and so does a shift, through the
+  // coordinates. Where little of a material is in a cell its density and energy are quotients of small differences:
+  // that makes 1e-9 of 1e-16. A turn also changes which axis the remap sweeps first: on the fixed mesh that is a
+  // difference of the scheme, not of round-off.
   INSTANTIATE_TEST_SUITE_P(
       Changes, QuickInvariance,
       testing::Combine(
           testing::Values(Change{"bodies", "bodies listed in another order", false, false, true, false, 0, 0.},
                           Change{"materials", "materials listed in another order", false, false, false, true, 0, 1e-10},
-                          Change{"mirrored", "mirrored", true, false, false, false, 0, 1e-10},
-                          Change{"shifted", "shifted by one cell", false, false, false, false, 1, 1e-10}),
+                          Change{"mirrored", "mirrored", true, false, false, false, 0, 1e-8},
+                          Change{"shifted", "shifted by one cell", false, false, false, false, 1, 1e-8}),
           testing::Values("eulerian", "lagrangian")),
       [](const auto &info) { return std::string(std::get<0>(info.param).name) + "_" + std::get<1>(info.param); });
   INSTANTIATE_TEST_SUITE_P(

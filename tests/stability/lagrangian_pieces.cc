@@ -80,7 +80,7 @@ namespace
     scene.set("Effects/List", shear.effects).add("Materials", "metal", shield_aluminium());
     scene.add("Bodies", "up", block(0, 0, 0.5, 1, "metal", 0., 0.3))
         .add("Bodies", "down", block(0.5, 0, 1, 1, "metal", 0., -0.3));
-    scene.add("Stages", "shear", {{"Mode", "lagrangian"}, {"Cohesion", shear.cohesion}, {"End", "5 us"}});
+    scene.add("Stages", "shear", {{"Mode", "lagrangian"}, {"Cohesion", shear.cohesion}, {"End", "6 us"}});
     const Outcome outcome = run(scene, std::string("shear_") + shear.name);
     expect_bounded(table, outcome);
     double internal = 0;

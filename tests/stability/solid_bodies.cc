@@ -32,16 +32,14 @@ namespace
     return sum;
   }
 
-  /// A disc of aluminium with strength, held together by the tension of its turning.
+  /// A disc of aluminium, held together by the tension of its turning (1.4 GPa at its centre), exact at the start.
   void
   expect_disc(const std::string &mode, double cell, double turns)
   {
     char text[80];
     std::snprintf(text, sizeof text, "stressed disc, %g turn, cells of %g cm", turns, cell);
     Case                           table(text, "angular momentum is lost, the rim comes off, the mesh folds", mode);
-    const std::vector<std::string> common{"Mesh/Finest cell = " + cm(cell), "Stages/turn/Mode = " + mode,
-                                          "Materials/aluminium/Strength = perfectly plastic",
-                                          "Materials/aluminium/Yield stress = 2 GPa", "Effects/List = strength"};
+    const std::vector<std::string> common{"Mesh/Finest cell = " + cm(cell), "Stages/turn/Mode = " + mode};
     const auto                     after = [&](double end, const char *folder) {
       std::vector<std::string> overrides = common;
       overrides.push_back("Stages/turn/End = " + with_unit(end, "us"));
