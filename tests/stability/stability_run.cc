@@ -44,6 +44,8 @@ namespace whipple::stability
   double
   Outcome::largest(const std::string &column) const
   {
+    if (summary().stages.empty() || steps() == 0)
+      return std::numeric_limits<double>::quiet_NaN(); // stopped before its first step
     double result = -std::numeric_limits<double>::infinity();
     for (const double value : statistics[column])
       result = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(result, value);
@@ -68,6 +70,8 @@ namespace whipple::stability
   double
   Outcome::smallest_step_over_median() const
   {
+    if (steps() == 0)
+      return std::numeric_limits<double>::quiet_NaN();
     const auto         &stage = statistics["stage"], &dt = statistics["time step"];
     std::vector<double> steps;
     for (std::size_t i = 0; i + 1 < dt.size(); ++i)

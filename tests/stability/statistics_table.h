@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -28,7 +30,7 @@ namespace whipple::stability
             if (first)
               names.push_back(entry.substr(0, entry.find(" [")));
             else
-              columns_[names.at(i)].push_back(std::stod(entry));
+              columns_[names.at(i)].push_back(number(entry));
         }
     }
 
@@ -43,6 +45,15 @@ namespace whipple::stability
     }
 
   private:
+    /// Columns of words hold no numbers.
+    static double
+    number(const std::string &entry)
+    {
+      char        *end   = nullptr;
+      const double value = std::strtod(entry.c_str(), &end);
+      return end == entry.c_str() ? std::numeric_limits<double>::quiet_NaN() : value;
+    }
+
     std::map<std::string, std::vector<double>> columns_;
   };
 } // namespace whipple::stability
