@@ -77,17 +77,22 @@ namespace whipple
       return filling;
     }
 
-    /// Mix a body's velocities into the corners of a cell in which it now has that share of the mass.
+    /// Mix the velocities of a body that adds a mass to a cell into its corners. What meets there moves on together:
+    /// the kinetic energy of its relative motion becomes the cell's remainder, which heats it.
     template <int dim>
     void
-    blend_velocity(const CellFilling<dim> &filling, double share, Index c, CornerVelocities<dim> &corners)
+    blend_velocity(const CellFilling<dim> &filling, double before, double added, Index c, const State<dim> &state,
+                   CornerVelocities<dim> &corners)
     {
+      constexpr int n     = FlatMesh<dim>::corners;
+      const double  share = added / (before + added);
       for (int d = 0; d < dim; ++d)
-        for (int k = 0; k < FlatMesh<dim>::corners; ++k)
+        for (int k = 0; k < n; ++k)
           {
-            double      &u = corners.velocity[d][c * FlatMesh<dim>::corners + k];
-            const double v = filling.velocity[k][d];
-            u              = share == 1. ? v : u + share * (v - u);
+            double      &u    = corners.velocity[d][c * n + k];
+            const double slip = filling.velocity[k][d] - u;
+            u                 = share == 1. ? filling.velocity[k][d] : u + share * slip;
+            corners.kinetic_remainder[c] += 0.5 * state.corner_weight[c * n + k] * (before * share) * slip * slip;
           }
     }
 
@@ -240,7 +245,7 @@ namespace whipple
             const double           pores    = sections::initial_void_fraction(scene.materials[body.material].model);
             const double           added =
                 paint_cell(filling, pores, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
-            blend_velocity<dim>(filling, added / (before + added), c, velocities);
+            blend_velocity<dim>(filling, before, added, c, state, velocities);
             exact_only[c] = is_exact && before == 0.;
           }
     });
