@@ -72,6 +72,32 @@ namespace whipple
         const bool   mirrored = (touches_low && mirrors(2 * axis)) || (touches_high && mirrors(2 * axis + 1));
         return mirrored ? 2. * inside : inside;
       }
+
+      /// The smallest of those below a bound, and how many there are.
+      struct Worst
+      {
+        std::string name;
+        double      length = std::numeric_limits<double>::infinity();
+        int         number = 0;
+
+        void
+        add(const std::string &body, double body_length, double bound)
+        {
+          if (!(body_length < bound))
+            return;
+          ++number;
+          if (body_length < length)
+            {
+              name   = body;
+              length = body_length;
+            }
+        }
+        std::string
+        subject() const
+        {
+          return "body '" + name + "'" + (number > 1 ? " (the worst of " + std::to_string(number) + " such)" : "");
+        }
+      };
     } // namespace
 
     template <int dim>
@@ -86,23 +112,23 @@ namespace whipple
       std::vector<std::string> lines;
       if (scene.mesh_map != MeshMap::none) // lengths on the lattice are not lengths in space
         return lines;
+      Worst thin, coarse; // one line for all bodies of a kind
       for (const Body<dim> &body : scene.bodies)
         if (const auto *sphere = std::get_if<Sphere<dim>>(&body.shape))
-          {
-            if (sphere->diameter < (1. - round_off) * least_sphere_cells * cell)
-              lines.push_back("body '" + body.name + "' has a diameter of " +
-                              units::format(sphere->diameter, units::length) + ", " + cells(sphere->diameter) +
-                              ": with fewer than 10 its shape and its shock are coarse");
-          }
+          coarse.add(body.name, sphere->diameter, (1. - round_off) * least_sphere_cells * cell);
         else
           {
             double thinnest = std::numeric_limits<double>::infinity();
             for (int d = 0; d < dim; ++d)
               thinnest = std::min(thinnest, thickness(scene, body, d));
-            if (thinnest < (1. - round_off) * least_cells * cell)
-              lines.push_back("body '" + body.name + "' is " + units::format(thinnest, units::length) + " thin, " +
-                              cells(thinnest) + ": with fewer than 2.5 the mesh does not know where in a cell it is");
+            thin.add(body.name, thinnest, (1. - round_off) * least_cells * cell);
           }
+      if (thin.number > 0)
+        lines.push_back(thin.subject() + " is " + units::format(thin.length, units::length) + " thin, " +
+                        cells(thin.length) + ": with fewer than 2.5 the mesh does not know where in a cell it is");
+      if (coarse.number > 0)
+        lines.push_back(coarse.subject() + " has a diameter of " + units::format(coarse.length, units::length) + ", " +
+                        cells(coarse.length) + ": with fewer than 10 its shape and its shock are coarse");
       return lines;
     }
 

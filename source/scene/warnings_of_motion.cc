@@ -152,6 +152,24 @@ namespace whipple::warnings
       return way > 1e-9 * scene.lattice.spacing ? std::optional<double>(way) : std::nullopt;
     }
 
+    struct First
+    {
+      double      time = infinity; ///< us
+      int         side = 0;
+      std::string what;
+
+      void
+      take(double other_time, int other_side, const std::string &other)
+      {
+        if (other_time < time)
+          {
+            time = other_time;
+            side = other_side;
+            what = other;
+          }
+      }
+    };
+
     std::string
     leaves(const std::string &what, int side, double time, double end)
     {
@@ -170,9 +188,7 @@ namespace whipple::warnings
     const double                   end      = times.back();
     if (!std::isfinite(end) || scene.mesh_map != MeshMap::none)
       return lines;
-    double      debris_reaches = infinity; // the first to leave through the right or left side
-    int         debris_side    = 0;
-    std::string debris;
+    First flight, debris; // one line each: the first to reach a side
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
       for (const std::size_t b : scene.stages[s].introduces)
         {
@@ -186,25 +202,21 @@ namespace whipple::warnings
                 continue;
               const double outwards = (side % 2 == 0 ? -1. : 1.) * body.velocity[side / 2];
               const bool   stopped  = side / 2 == 1 && !met.empty(); // by what it meets, as far as anybody knows
-              if (outwards > 0 && !stopped && times[s] + *way / outwards < end)
-                lines.push_back(leaves("body '" + body.name + "'", side, times[s] + *way / outwards, end));
+              if (outwards > 0 && !stopped)
+                flight.take(times[s] + *way / outwards, side, "body '" + body.name + "'");
               // debris that has gone through what is thinner than the projectile is long
               if (side / 2 == 1 || met.empty() || outwards > 0)
                 continue;
               const Box<dim> target = extent(scene.bodies[met[0].target].shape);
               if (target.upper[1] - target.lower[1] > box.upper[1] - box.lower[1])
                 continue;
-              const double time = times[s] + met[0].time + *way / (spreading * met[0].speed);
-              if (time < std::min(end, debris_reaches))
-                {
-                  debris_reaches = time;
-                  debris_side    = side;
-                  debris         = "debris of body '" + body.name + "' on '" + scene.bodies[met[0].target].name + "'";
-                }
+              debris.take(times[s] + met[0].time + *way / (spreading * met[0].speed), side,
+                          "debris of body '" + body.name + "' on '" + scene.bodies[met[0].target].name + "'");
             }
         }
-    if (debris_reaches < end)
-      lines.push_back(leaves(debris, debris_side, debris_reaches, end));
+    for (const First &first : {flight, debris})
+      if (first.time < end)
+        lines.push_back(leaves(first.what, first.side, first.time, end));
     return lines;
   }
 
