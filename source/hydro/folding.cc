@@ -18,11 +18,11 @@ namespace whipple
 
   template <int dim>
   std::vector<Index>
-  folding_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt, double least_jacobian)
+  folding_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt)
   {
     std::vector<Index> cells;
     for (Index c = 0; c < mesh.n_owned; ++c)
-      if (mesh.intact[c] && cell_shape::folds(cell_shape::corners_after(mesh, state, c, dt), least_jacobian) &&
+      if (mesh.intact[c] && cell_shape::crosses(cell_shape::corners_after(mesh, state, c, dt)) &&
           cell_shape::shares_nodes(mesh, c) && has_mass(state, c))
         cells.push_back(c);
     return cells;
@@ -34,13 +34,13 @@ namespace whipple
   {
     std::vector<Index> cells;
     for (Index c = 0; c < mesh.n_owned; ++c)
-      if (cell_shape::folds(cell_shape::corners_after(mesh, state, c, 0.), 0.) && has_mass(state, c))
+      if (cell_shape::crosses(cell_shape::corners_after(mesh, state, c, 0.)) && has_mass(state, c))
         cells.push_back(c);
     return cells;
   }
 
   template std::vector<Index>
-  folding_cells(const FlatMesh<2> &, const State<2> &, double, double);
+  folding_cells(const FlatMesh<2> &, const State<2> &, double);
   template std::vector<Index>
   folded_cells(const FlatMesh<2> &, const State<2> &);
 } // namespace whipple

@@ -32,21 +32,31 @@ namespace
 TEST(Folding, IsSeenAheadAndAfterwards)
 {
   Sheet sheet(Cohesion::bonded);
-  // corner 3 of the middle cell moves towards corner 0: its Jacobian over the mean is (1 - 2 s)/(1 - s), 0.1 at 9/19
-  const Index n = sheet.mesh.cell_node[4 * 4 + 3];
-  for (int d = 0; d < 2; ++d)
-    sheet.state.velocity[d][n] = -1.;
-  EXPECT_TRUE(folding_cells(sheet.mesh, sheet.state, 0.0473).empty()); // cells of 0.1 cm
-  EXPECT_EQ(folding_cells(sheet.mesh, sheet.state, 0.0475), std::vector<Index>{4});
-  for (const auto &[moved, number] : {std::pair(0.0499, 0), std::pair(0.0501, 1)})
+  // corner 3 of the middle cell moves towards corner 2 and past it, one edge of 0.1 cm away: sides cross
+  const Index n              = sheet.mesh.cell_node[4 * 4 + 3];
+  sheet.state.velocity[0][n] = -1.;
+  EXPECT_TRUE(folding_cells(sheet.mesh, sheet.state, 0.0999).empty());
+  EXPECT_EQ(folding_cells(sheet.mesh, sheet.state, 0.1001), std::vector<Index>{4});
+  for (const auto &[moved, number] : {std::pair(0.0999, 0), std::pair(0.1001, 1)})
     {
-      for (int d = 0; d < 2; ++d)
-        sheet.state.position[d][n] = sheet.mesh.node_point[d][n] - moved;
+      sheet.state.position[0][n] = sheet.mesh.node_point[0][n] - moved;
       EXPECT_EQ(folded_cells(sheet.mesh, sheet.state).size(), std::size_t(number)) << moved;
     }
   sheet.state.material[0].mass[4] = 0; // nothing there to fold
   EXPECT_TRUE(folded_cells(sheet.mesh, sheet.state).empty());
   EXPECT_TRUE(folding_cells(sheet.mesh, sheet.state, 0.).empty());
+}
+
+TEST(Folding, AnArrowheadCoversWhatItIsTakenToHave)
+{
+  Sheet       sheet(Cohesion::bonded);
+  const Index n = sheet.mesh.cell_node[4 * 4 + 3];
+  for (int d = 0; d < 2; ++d) // three quarters of the way to corner 0: reflex, but no sides cross
+    sheet.state.position[d][n] -= 0.075;
+  EXPECT_TRUE(folded_cells(sheet.mesh, sheet.state).empty());
+  for (int d = 0; d < 2; ++d) // past it: turned over
+    sheet.state.position[d][n] -= 0.05;
+  EXPECT_EQ(folded_cells(sheet.mesh, sheet.state), std::vector<Index>{4});
 }
 
 TEST(FragmentRelease, AFragmentStopsAtAWallThatTakesItsMomentum)

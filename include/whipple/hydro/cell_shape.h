@@ -33,6 +33,21 @@ namespace whipple::cell_shape
     return !(std::min(std::min(j[0], j[1]), std::min(j[2], j[3])) >= least_jacobian * mean && mean > 0);
   }
 
+  /// Whether sides cross (two corners turned over) or the whole is turned over. An arrowhead, one reflex corner, is
+  /// not: it covers the area that it is taken to have.
+  inline bool
+  crosses(const geometry::Quad &x)
+  {
+    int    turned = 0;
+    double sum    = 0;
+    for (const double j : geometry::corner_jacobian(x))
+      {
+        turned += !(j >= 0);
+        sum += j;
+      }
+    return turned > 1 || !(sum > 0);
+  }
+
   /// Whether a cell shares a node with another one.
   inline bool
   shares_nodes(const FlatMesh<2> &mesh, Index cell)

@@ -9,17 +9,15 @@
 
 namespace whipple
 {
-  /// Corner Jacobian, as a part of the mean of the four, below which an element is taken out of the mesh.
+  /// Corner Jacobian, as a part of the mean of the four, below which a fragment stops deforming.
   inline constexpr double least_jacobian_share = 0.1;
 
-  /// Owned cells with mass that are bonded to others and would have a corner Jacobian below `least_jacobian` of the
-  /// mean after dt at the present velocities.
+  /// Owned cells with mass that are bonded to others and whose sides would cross after dt at the present velocities.
   template <int dim>
   std::vector<Index>
-  folding_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt,
-                double least_jacobian = least_jacobian_share);
+  folding_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt);
 
-  /// Owned cells with mass that are not convex any more: a corner Jacobian is not positive.
+  /// Owned cells with mass whose sides cross.
   template <int dim>
   std::vector<Index>
   folded_cells(const FlatMesh<dim> &mesh, const State<dim> &state);
