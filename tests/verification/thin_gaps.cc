@@ -93,7 +93,7 @@ namespace
     };
     for (int steps = 0; end - state.time > 1e-12; ++steps)
       {
-        const double dt = std::min({step.time_step(state).dt, remap.time_step(state), end - state.time});
+        const double dt = std::min({step.time_step(state).dt, remap.time_step(state).dt, end - state.time});
         step.advance(state, dt);
         remap.begin(state);
         for (int i = 0; i < 2; ++i)

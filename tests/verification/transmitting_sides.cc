@@ -79,7 +79,7 @@ namespace
     time_step() const
     {
       const double motion = step.time_step(state).dt;
-      return remap ? std::min(motion, remap->time_step(state)) : motion;
+      return remap ? std::min(motion, remap->time_step(state).dt) : motion;
     }
 
     void
