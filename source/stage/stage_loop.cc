@@ -29,6 +29,16 @@ namespace whipple
     /// Stable steps ahead for which elements may not fold.
     constexpr double steps_ahead = 1.5;
 
+    /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
+    /// mesh that folds is left to itself.
+    template <int dim>
+    bool
+    holds_pieces(const State<dim> &state)
+    {
+      return std::all_of(state.material.begin(), state.material.end(),
+                         [](const MaterialState &material) { return material.has_voids(); });
+    }
+
     /// The reflecting sides, where they are planes of the lattice.
     template <int dim>
     RigidWalls<dim>
@@ -201,7 +211,7 @@ namespace whipple
   void
   StageLoop<dim>::free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
-    if (stage_.cohesion == Cohesion::fragments)
+    if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
       return;
     std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
     cells.insert(cells.end(), folded_.begin(), folded_.end());
@@ -255,7 +265,7 @@ namespace whipple
   bool
   StageLoop<dim>::meet(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
-    if (!contacts_.due(record_.steps))
+    if (!contacts_.due(record_.steps) || !holds_pieces(domain.state))
       return false;
     const KineticLoss        loss   = stage_.lost_kinetic_energy;
     const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
@@ -300,7 +310,7 @@ namespace whipple
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
     cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
-    if (stage_.mode == StageMode::lagrangian)
+    if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
       refuse_folded(domain);
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     ledger.check(present, "a step", round_off);

@@ -88,7 +88,7 @@ TEST(SceneContact, AMeshThatFoldsMakesNoEnergy)
       EXPECT_GT(*std::min_element(internal.begin(), internal.end()),
                 free ? 0.85 * internal.front() : internal.front() - 1e-6);
       EXPECT_GE(simulation->domain().state.time, 6. - 1e-9);
-      if (!free)
+      if (cohesion == "bonded") // graded cells break by their shape before
         EXPECT_GT(event(*simulation, "freed"), 0.);
     }
 }
