@@ -14,6 +14,8 @@ namespace whipple
   {
     /// What materials may exceed a cell by before they are cut back: far above round-off, far below physics.
     constexpr double overfull_tolerance = 1e-12;
+    /// ... and by what before it is worth a word: more than round-off of the sweeps, a pressure of some bars.
+    constexpr double overfull_noticed = 1e-6;
     /// A cell filled this closely is taken as full.
     constexpr double full_tolerance = 1e-10;
     /// ... and this closely by round-off alone, which may not disturb the density.
@@ -67,7 +69,7 @@ namespace whipple
                 material.volume[c] *= ratio;
                 material.density[c] = material.mass[c] / material.volume[c];
               }
-          if (c < n_owned)
+          if (c < n_owned && sum > state.volume[c] * (1. + overfull_noticed))
             {
               report.compressed += sum - state.volume[c];
               ++report.cells_compressed;
