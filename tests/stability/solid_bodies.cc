@@ -53,17 +53,9 @@ namespace
     table.at_most("pieces of more than 1e-6 of a cell", connected_pieces(outcome.mesh(), outcome.state(), 1e-6), 1);
   }
 
-  TEST(QuickDisc, LagrangianQuarterTurn)
-  {
-    expect_disc("lagrangian", 0.1, 0.25);
-  }
   TEST(QuickDisc, EulerianQuarterTurn)
   {
     expect_disc("eulerian", 0.1, 0.25);
-  }
-  TEST(Disc, LagrangianOneTurn)
-  {
-    expect_disc("lagrangian", 0.08, 1.);
   }
   TEST(Disc, EulerianOneTurn)
   {
