@@ -13,7 +13,7 @@ namespace whipple
     // Measured on the published chain (doc/performance.md): core seconds a cell step of each kind of stage, bytes a
     // cell of the largest stage above those of the program itself.
     constexpr double eulerian_seconds = 1.5e-6, lagrangian_seconds = 0.3e-6;
-    constexpr double bytes_per_cell = 6e3, program_bytes = 1.7e8;
+    constexpr double bytes_per_cell = 3.5e3, program_bytes = 1.7e8;
 
     /// Elements of debris over cells of what was thrown, and seconds a regrid, a file or a start may add are left out.
     constexpr double debris_growth = 3.;

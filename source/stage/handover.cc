@@ -292,8 +292,11 @@ namespace whipple
     auto view = domain.forest.flatten(active, element_halo<dim>(stage), element_bonds(stage, domain));
 
     ToLagrangianReport<dim> report;
-    State<dim> state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
-                                     std::span<const std::string>(layout_.material_names), report);
+    State<dim>              state;
+    agree(communicator, [&] {
+      state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
+                            std::span<const std::string>(layout_.material_names), report);
+    });
     state.time       = domain.state.time;
     domain.state     = std::move(state);
     domain.view      = std::move(view);
