@@ -69,10 +69,10 @@ namespace whipple
                 material.volume[c] *= ratio;
                 material.density[c] = material.mass[c] / material.volume[c];
               }
-          if (c < n_owned && sum > state.volume[c] * (1. + overfull_noticed))
+          if (c < n_owned)
             {
               report.compressed += sum - state.volume[c];
-              ++report.cells_compressed;
+              report.cells_compressed += sum > state.volume[c] * (1. + overfull_noticed);
             }
         }
     }

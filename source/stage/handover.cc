@@ -297,9 +297,9 @@ namespace whipple
       state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
                             std::span<const std::string>(layout_.material_names), report);
     });
-    state.time       = domain.state.time;
-    domain.state     = std::move(state);
-    domain.view      = std::move(view);
+    state.time   = domain.state.time;
+    domain.state = std::move(state);
+    domain.view  = std::move(view);
     exchange_cells(layout_, domain.view->halo, domain.state);
     domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
     domain.view->halo.exchange(

@@ -7,6 +7,12 @@
 
 namespace whipple
 {
+  namespace
+  {
+    /// Velocity, cm/us, that is nothing: a problem in which all moves no faster (1 cm/s) has no other scale.
+    constexpr double slow = 1e-6;
+  } // namespace
+
   template <int dim>
   void
   Ledger<dim>::introduce(const ConservedTotals<dim> &amounts)
@@ -74,9 +80,9 @@ namespace whipple
   double
   Ledger<dim>::energy_scale() const
   {
-    // pistons bring in more than bodies at rest
-    return std::max(
-        {introduced_.kinetic_energy, std::abs(introduced_.internal_energy), std::abs(gone().total_energy())});
+    // pistons bring in more than bodies at rest; of bodies at rest round-off alone moves anything
+    return std::max({introduced_.kinetic_energy, std::abs(introduced_.internal_energy), std::abs(gone().total_energy()),
+                     introduced_.mass * slow * slow});
   }
 
   template <int dim>
@@ -89,7 +95,8 @@ namespace whipple
     result.mass = relative(present.mass + gone.mass - introduced_.mass, introduced_.mass);
     // bodies at rest that gas or deposited energy sets in motion have no momentum scale but that of the energy
     const double momentum_scale =
-        std::max(momentum_scale_, std::sqrt(2. * introduced_.mass * introduced_.total_energy()));
+        std::max({momentum_scale_, std::sqrt(2. * introduced_.mass * std::max(0., introduced_.total_energy())),
+                  introduced_.mass * slow});
     result.axial_momentum =
         relative(present.momentum[axial] + gone.momentum[axial] - introduced_.momentum[axial], momentum_scale);
     result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(), energy_scale());

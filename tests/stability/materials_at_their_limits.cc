@@ -112,6 +112,7 @@ namespace
   /// A speck of a millionth of the mass, at 40 times the energy of the impact, lies beside a plate that is struck.
   TEST(QuickClock, AHotSpeckDoesNotSetTheStep)
   {
+    // of a cell it is 1e-4, above what is a trace: until it has expanded its own sound is felt
     Case table("hot speck of 1e-6 of the mass beside an impact", "one hot cell sets the time step of all", "eulerian");
     const auto scene = [](bool speck) {
       SceneText text = box("planar", 0, -0.2, 0.4, 0.3, 0.02, "transmitting");
@@ -133,7 +134,7 @@ namespace
     };
     const Outcome with = run(scene(true), "hot_speck"), without = run(scene(false), "no_speck");
     expect_sound(table, with);
-    table.at_most("steps / steps without the speck", static_cast<double>(with.steps()) / without.steps(), 1.5);
+    table.at_most("steps / steps without the speck", static_cast<double>(with.steps()) / without.steps(), 2.);
     table.at_least("smallest time step / median", with.smallest_step_over_median(), 0.05);
   }
 

@@ -98,8 +98,7 @@ namespace
     log.progress(progress); // not due yet
     const std::string text = terminal.str();
     EXPECT_EQ(text.find('\r'), std::string::npos);
-    EXPECT_EQ(text.find("perforation: step 12, t = 0.5 us, dt = 1.000e-03 us (sound speed), 4711 cells, 25.0 %"),
-              0u);
+    EXPECT_EQ(text.find("perforation: step 12, t = 0.5 us, dt = 1.000e-03 us (sound speed), 4711 cells, 25.0 %"), 0u);
     EXPECT_EQ(text.find('\n'), text.size() - 1);
   }
 

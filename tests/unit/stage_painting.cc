@@ -21,7 +21,12 @@ namespace
   struct Painted
   {
     explicit Painted(const std::vector<std::string> &overrides)
-      : scene(read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides))
+      : Painted(read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides))
+    {
+    }
+
+    explicit Painted(Scene<2> read)
+      : scene(std::move(read))
       , layout(scene)
       , regridding(scene, layout)
       , domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}
@@ -91,11 +96,21 @@ namespace
       }
   }
 
+  /// A scene with a bumper thinner than a scene file may say.
+  Scene<2>
+  film(double thickness)
+  {
+    Scene<2> scene = read_scene<2>(
+        source_directory() + "/prm/whipple_shield.prm",
+        with({"Bodies/List = bumper", "Bodies/bumper/Front face = 0.001 cm", "Bodies/bumper/Thickness = 0.01 cm"}));
+    std::get<Plate<2>>(scene.bodies[0].shape).thickness = thickness;
+    return scene;
+  }
+
   // A gap, a film or a bubble that is real stays what it is.
   TEST(Painting, AThinFilmIsNoSliver)
   {
-    const Painted painted(
-        with({"Bodies/List = bumper", "Bodies/bumper/Front face = 0.001 cm", "Bodies/bumper/Thickness = 1e-9 cm"}));
+    const Painted painted(film(1e-9));
     EXPECT_NEAR(painted.least_share(), 1e-9 / 0.016, 1e-12);
   }
 
@@ -103,8 +118,7 @@ namespace
   {
     try
       {
-        const Painted painted(with(
-            {"Bodies/List = bumper", "Bodies/bumper/Front face = 0.001 cm", "Bodies/bumper/Thickness = 1e-13 cm"}));
+        const Painted painted(film(1e-13));
         FAIL() << "a film of 1e-11 of a cell is painted, or lost without a word";
       }
     catch (const ConservationError &error)

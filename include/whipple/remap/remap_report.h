@@ -42,8 +42,8 @@ namespace whipple
     double                             kinetic_heated = 0; ///< part of kinetic_lost given to internal energy, Mbar cm^3
     double                             flotsam_mass   = 0; ///< given away by donors left almost empty, g
     Index                              flotsam_cells  = 0;
-    double                             compressed     = 0; ///< volume by which overfull cells were cut back, cm^3
-    Index                              cells_compressed = 0;
+    double                             compressed     = 0;   ///< volume by which overfull cells were cut back, cm^3
+    Index                              cells_compressed = 0; ///< by more than a millionth of the cell
 
     RemapReport &
     operator+=(const RemapReport &other)

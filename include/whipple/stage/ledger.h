@@ -74,8 +74,8 @@ namespace whipple
     Closure
     closure(const ConservedTotals<dim> &present) const;
 
-    /// What energies of the problem are to be measured by: the largest of the kinetic and internal energy introduced
-    /// and of what has gone, Mbar cm^3.
+    /// What energies of the problem are to be measured by: the largest of the kinetic and internal energy introduced,
+    /// of what has gone, and of the introduced mass at 1 cm/s, Mbar cm^3.
     double
     energy_scale() const;
 
