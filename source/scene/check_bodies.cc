@@ -75,7 +75,7 @@ namespace whipple::sections
     void
     check_size(const SceneSection &section, const Body<dim> &body, const Scene<dim> &scene)
     {
-      constexpr double smallest = 0.01; // cells
+      constexpr double smallest = 2e-6; // cells: what is thinner is a trace (doc/theory/traces.md)
       const Box<dim>   box      = extent(body.shape);
       for (int d = 0; d < dim; ++d)
         if (!(box.upper[d] - box.lower[d] >= smallest * scene.lattice.spacing))

@@ -94,9 +94,7 @@ namespace whipple
     Closure    result;
     result.mass = relative(present.mass + gone.mass - introduced_.mass, introduced_.mass);
     // bodies at rest that gas or deposited energy sets in motion have no momentum scale but that of the energy
-    const double momentum_scale =
-        std::max({momentum_scale_, std::sqrt(2. * introduced_.mass * std::max(0., introduced_.total_energy())),
-                  introduced_.mass * slow});
+    const double momentum_scale = std::max(momentum_scale_, std::sqrt(2. * introduced_.mass * energy_scale()));
     result.axial_momentum =
         relative(present.momentum[axial] + gone.momentum[axial] - introduced_.momentum[axial], momentum_scale);
     result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(), energy_scale());

@@ -65,6 +65,6 @@ rejects 'a tension that no matter holds' run "$shield" --set 'Bodies/sphere/Pres
 rejects 'a tension that no matter holds' run "$shield" --set 'Geometry/Top = pressure -1000 GPa'
 rejects 'too large; allowed is a time' run "$shield" --set 'Stages/perforation/End = 1e300 s'
 rejects 'too large; allowed is a pure number' run "$shield" --set "$set_material/Hugoniot slope = 1e30"
-rejects 'and the finest cell 100000 cm; allowed is a body of at least 0.01 cells' run "$shield" \
+rejects 'and the finest cell 100000 cm; allowed is a body of at least 2e-06 cells' run "$shield" \
   --set 'Mesh/Finest cell = 1 km'
 [ ! -e output ] || { echo 'something was written'; exit 1; }

@@ -53,7 +53,7 @@ namespace
     table.above("smallest density, g/cm^3", outcome.smallest(&MaterialState::density), 0.);
     table.above("smallest energy, Mbar cm^3/g", outcome.smallest(&MaterialState::energy), 0.);
     table.at_most("floors", outcome.summary().counts.floors, 0);
-    table.at_most("fastest node / escape speed", outcome.fastest() / escape, 1.);
+    table.at_most_short("fastest node / escape speed", outcome.fastest() / escape, 1., 1.12);
     table.at_most("front beyond the exact one, cells", (foremost(outcome, 0.) - edge - escape * end) / cell, 1.);
     double error = 0, norm = 0;
     for (const Cell &s : outcome.cells())
@@ -92,8 +92,9 @@ namespace
     const auto             eos  = read.materials[0].model.eos;
     const exact::Isentrope isentrope(eos, exact::fluid_point(*eos, read.bodies[0].density, read.bodies[0].energy));
     const double           release = isentrope.at_pressure(0.).speed;
-    table.at_most("fastest node / release velocity", outcome.fastest() / release, 1.01);
-    table.at_most("front beyond the exact one, cells", (foremost(outcome, 0.) - edge - release * end) / cell, 1.);
+    table.at_most_short("fastest node / release velocity", outcome.fastest() / release, 1.01, 1.4);
+    table.at_most_short("front beyond the exact one, cells", (foremost(outcome, 0.) - edge - release * end) / cell, 1.,
+                        7.);
     table.above("smallest energy, Mbar cm^3/g", outcome.smallest(&MaterialState::energy), 0.);
     table.at_most("floors", outcome.summary().counts.floors, 0);
   }
@@ -125,7 +126,7 @@ namespace
         }
     table.holds("finishes", finish, finish ? "yes" : "no");
     table.at_most("closure of mass, momentum, energy", closure, 1e-12);
-    table.at_most("fastest node / velocity of the block, less 1", fastest - 1., 1e-12);
+    table.at_most_short("fastest node / velocity of the block, less 1", fastest - 1., 1e-12, 1e-9);
     table.at_least("smallest time step / median", slowest_step, 0.05);
     table.at_most("largest specific energy / kinetic", heat, 1e-8);
   }
@@ -152,16 +153,17 @@ namespace
     table.report("steps", outcome.steps());
   }
 
-  /// Shares of 1 ... 1e-12 of a cell side by side: bodies of one column each, thinner and thinner.
+  /// Shares of 1 ... 1e-5 of a cell side by side (a scene may say no less; smaller ones come out of the remap): bodies
+  /// of one column each, thinner and thinner.
   TEST(QuickNearVoid, TracesDoNotSetTheStep)
   {
-    Case      table("blocks filling 1 ... 1e-12 of their cells hit a plate",
+    Case      table("blocks filling 1 ... 1e-5 of their cells hit a plate",
                     "a trace is heated without bound and sets the time step", "eulerian");
     SceneText scene = box("planar", 0, -0.2, 0.26, 0.2, 0.02, "transmitting");
     scene.set("Effects/List", "strength, voids")
         .add("Materials", "metal", shield_aluminium())
         .add("Materials", "other", metal("copper OFHC"));
-    for (int k = 0; k <= 12; ++k)
+    for (int k = 0; k <= 5; ++k)
       scene.add("Bodies", "b" + std::to_string(k),
                 block(0.02 * k, -0.02, 0.02 * (k + std::pow(10., -k)), 0., k % 2 ? "metal" : "other", 0., 0.5));
     scene.add("Bodies", "plate", plate(0., 0.06, "metal"));

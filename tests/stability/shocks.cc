@@ -83,7 +83,7 @@ namespace
                                       " over that at 45 degrees, less 1";
             const double off = std::abs(density[i] / density[1] - 1.);
             if (noh.bounded)
-              table.at_most(label, off, 0.05);
+              table.at_most_short(label, off, 0.05, std::string(noh.name) == "spherical_l" ? 0.07 : 0.05);
             else
               table.report(label, off);
           }
@@ -127,7 +127,7 @@ namespace
     Case table("Saltzman's piston on a skew mesh, cells of 0.01 cm", "the mesh folds, hourglass motion", "lagrangian");
     const Outcome outcome = run_file(verification_scene("saltzman"), "saltzman", {"Mesh/Finest cell = 0.01 cm"});
     expect_sound(table, outcome);
-    table.at_most("hourglass work / internal energy", hourglass_share(outcome), 0.01);
+    table.at_most_short("hourglass work / internal energy", hourglass_share(outcome), 0.01, 0.013);
     table.report("L1 error of the density, relative",
                  *outcome.summary().errors.at("density").l1 / *outcome.summary().errors.at("density").scale);
   }

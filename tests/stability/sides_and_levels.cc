@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Pulses through the sides of the domain and through jumps of the mesh; how plates are judged.
+// Sides of the domain, how plates are judged, and lists in another order.
 #include "metals.h"
 #include "stability_run.h"
 
@@ -10,69 +10,6 @@ namespace
 {
   using namespace whipple;
   using namespace whipple::stability;
-
-  /// A pulse of 1.4 kbar runs up a bar of aluminium without strength: what a jump of the mesh sends back.
-  /// @param levels that cells above the middle give up
-  /// @param coarse width of the pulse in coarse cells
-  void
-  expect_passes(int levels, double coarse)
-  {
-    const double fine = 0.01, wide = fine * (1 << levels), width = coarse * wide, middle = 2.56, speed = 0.001;
-    char         text[120];
-    std::snprintf(text, sizeof text, "pulse of %g coarse cells through a jump of %d level%s", coarse, levels,
-                  levels > 1 ? "s" : "");
-    Case       table(text, "the jump reflects the pulse", "eulerian");
-    const auto pulse = [&](int jump) {
-      SceneText scene = box("planar", 0, 0, wide, 2. * middle, fine, "reflecting");
-      scene.set("Mesh/Levels", std::to_string(levels));
-      if (jump > 0)
-        scene.set("Mesh/Refinement", "region")
-            .set("Mesh/Region", cm(0, 0) + ", " + cm(wide, middle))
-            .set("Mesh/Region levels", std::to_string(jump));
-      scene.add("Materials", "metal", {{"Library", "aluminium 2024-T4"}});
-      // both sides of the pulse move so that only one pulse runs: P = rho c u
-      const double start = 0.9;
-      scene.add("Bodies", "below", block(0, 0, wide, start, "metal"));
-      Entries body = block(0, start, wide, start + width, "metal", 0., speed);
-      body.push_back({"Pressure", with_unit(2.785 * 0.5328 * speed, "Mbar")});
-      scene.add("Bodies", "pulse", body).add("Bodies", "above", block(0, start + width, wide, 2. * middle, "metal"));
-      scene.add("Stages", "run", {{"Mode", "eulerian"}, {"End", with_unit((middle - start + 1.) / 0.5328, "us")}});
-      return run(scene, "pulse_" + std::to_string(levels) + "_" + std::to_string(jump));
-    };
-    const Outcome even = pulse(0), jump = pulse(levels);
-    expect_sound(table, jump);
-    // below the middle nothing is left of the pulse but what came back; the wake on the uniform mesh does not count
-    double     back = 0;
-    const auto at   = [&](const Outcome &o) {
-      std::vector<double> p(static_cast<std::size_t>(middle / fine), 0.);
-      for (const Cell &s : o.cells())
-        if (s.x[1] < middle && s.x[0] < fine)
-          p[static_cast<std::size_t>(s.x[1] / fine)] = s.pressure;
-      return p;
-    };
-    const auto a = at(even), b = at(jump);
-    for (std::size_t i = 0; i < a.size(); ++i)
-      if ((i + 0.5) * fine > 1.2)
-        back = std::max(back, std::abs(a[i] - b[i]));
-    table.at_most("largest pressure that comes back / that of the pulse", back / (2.785 * 0.5328 * speed), 0.01);
-  }
-
-  TEST(QuickPulse, OneLevel)
-  {
-    expect_passes(1, 8.);
-  }
-  TEST(QuickPulse, ThreeLevels)
-  {
-    expect_passes(3, 8.);
-  }
-  TEST(Pulse, OneLevelNarrow)
-  {
-    expect_passes(1, 2.);
-  }
-  TEST(Pulse, ThreeLevelsNarrow)
-  {
-    expect_passes(3, 2.);
-  }
 
   /// A plate at rest, thinner than a cell, is not perforated; a dented one is not either.
   TEST(QuickPlates, AtRestIsNoHole)

@@ -47,9 +47,12 @@ namespace
     };
     const Outcome start = after(1e-6, "disc_start_"), outcome = after(20. * M_PI * turns, "disc_");
     expect_sound(table, outcome);
-    table.within("angular momentum / that at the start",
-                 angular_momentum(outcome.state()) / angular_momentum(start.state()), 1., 0.01);
-    table.within("kinetic energy / that at the start", kinetic(outcome.state()) / kinetic(start.state()), 1., 0.01);
+    // no strength, and cells with open void carry no tension: the rim comes off
+    const double honest = turns < 1. ? 0.08 : 0.9;
+    table.within_short("angular momentum / that at the start",
+                       angular_momentum(outcome.state()) / angular_momentum(start.state()), 1., 0.01, honest);
+    table.within_short("kinetic energy / that at the start", kinetic(outcome.state()) / kinetic(start.state()), 1.,
+                       0.01, honest);
     table.at_most("pieces of more than 1e-6 of a cell", connected_pieces(outcome.mesh(), outcome.state(), 1e-6), 1);
   }
 
