@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/lagrange_step.h>
+#include <whipple/hydro/trace.h>
 #include <whipple/mesh/geometry.h>
 #include <whipple/projection/debris_selection.h>
 #include <whipple/projection/element.h>
@@ -277,6 +278,8 @@ namespace whipple
         if (stage.debris.behind)
           criteria.plane = extent(scene_.bodies[*stage.debris.behind].shape).upper[1];
       }
+    // an element made of a trace would be nothing but void, phi = 1
+    criteria.void_cutoff                 = std::min(criteria.void_cutoff, 1. - trace::share);
     const DebrisSelection<dim> selection = select_debris(cells, domain.state, criteria);
     for (const Verdict verdict : {Verdict::void_cutoff, Verdict::not_debris})
       {
