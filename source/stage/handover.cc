@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace whipple
 {
@@ -279,15 +280,12 @@ namespace whipple
           criteria.plane = extent(scene_.bodies[*stage.debris.behind].shape).upper[1];
       }
     // an element made of a trace would be nothing but void, phi = 1
-    criteria.void_cutoff                 = std::min(criteria.void_cutoff, 1. - trace::share);
-    const DebrisSelection<dim> selection = select_debris(cells, domain.state, criteria);
+    criteria.void_cutoff                                  = std::min(criteria.void_cutoff, 1. - trace::share);
+    const DebrisSelection<dim>                  selection = select_debris(cells, domain.state, criteria);
+    std::map<std::string, ConservedTotals<dim>> dropped; // booked once the elements are there
     for (const Verdict verdict : {Verdict::void_cutoff, Verdict::not_debris})
-      {
-        const auto amount = cell_sum(
-            cells, domain.state, [&](Index c) { return selection.verdict[c] == verdict; }, communicator);
-        if (amount.mass > 0)
-          ledger.drop(std::string(name(verdict)), amount);
-      }
+      dropped[std::string(name(verdict))] = cell_sum(
+          cells, domain.state, [&](Index c) { return selection.verdict[c] == verdict; }, communicator);
 
     std::vector<std::uint8_t> active(domain.forest.leaves().size(), 0);
     for (Index c = 0; c < cells.n_owned; ++c)
@@ -300,6 +298,9 @@ namespace whipple
       state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
                             std::span<const std::string>(layout_.material_names), report);
     });
+    for (const auto &[reason, amount] : dropped)
+      if (amount.mass > 0)
+        ledger.drop(reason, amount);
     state.time   = domain.state.time;
     domain.state = std::move(state);
     domain.view  = std::move(view);
