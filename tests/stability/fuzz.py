@@ -36,7 +36,8 @@ import fuzz_scene
 CLOSURE = 1e-12           # of mass, momentum, energy
 GROWTH = 1 + 1e-9         # of kinetic energy, over all that bodies brought
 PATIENCE = 60             # times the limit on processor time that a run may take on the wall: the machine may be shared
-PLAIN_SUMS = ("viscous work", "hourglass work", "plastic work", "remap loss", "closure")  # equal to round-off only (doc/limitations.md)
+PLAIN_SUMS = ("viscous work", "hourglass work", "plastic work", "remap loss", "mass left domain",
+              "closure")  # equal to round-off only (doc/limitations.md)
 
 NOT_ALWAYS_NUMBERS = ("time step set by", "set at")  # what set the time step, and where, if it was a cell
 
