@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/output/output_directory.h>
+#include <whipple/run/simulation.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/scene_warnings.h>
 #include <whipple/scene/units.h>
-#include <whipple/stage/simulation.h>
 #include <whipple/study/error_estimate.h>
 #include <whipple/study/run.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A plate of a scene, with a hole cut into its cells, is measured to the same bits on any number of ranks, and the same
 // in a scene and its mirror image.
-#include <whipple/stage/handover.h>
-#include <whipple/stage/plate_measure.h>
+#include <whipple/diagnostics/plate_measure.h>
+#include <whipple/run/handover.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <whipple/error.h>
 #include <whipple/output/output_directory.h>
+#include <whipple/run/simulation.h>
 #include <whipple/scene/scene.h>
-#include <whipple/stage/simulation.h>
 
 #include <algorithm>
 #include <cmath>

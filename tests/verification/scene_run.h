@@ -4,8 +4,8 @@
 #include "source_directory.h"
 
 #include <whipple/output/output_directory.h>
+#include <whipple/run/simulation.h>
 #include <whipple/scene/scene.h>
-#include <whipple/stage/simulation.h>
 
 #include <algorithm>
 #include <filesystem>
