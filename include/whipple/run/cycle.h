@@ -36,6 +36,13 @@ namespace whipple
     void
     refresh(State<dim> &state) const;
 
+    /// What it was made for.
+    const FlatMesh<dim> *
+    mesh() const
+    {
+      return &mesh_;
+    }
+
     AgreedTimeStep
     time_step(const State<dim> &state) const;
 
