@@ -4,9 +4,9 @@
 
     scripts/check_documents.py
 
-Looked at are the links of Markdown pages (files, and headings within them), paths in back quotes that begin with a folder of the
-repository, pages of doc/ that are named in comments, and citations such as [Noh1987] in pages, comments and scenes. One line for each that leads nowhere; exit status 1 if
-there is any. Standard library only.
+Looked at are the links of Markdown pages (files, and headings within them), paths in back quotes that begin with a folder of
+the repository or a room (hydro/pack.h), pages of doc/ that are named in comments, and citations such as [Noh1987] in pages,
+comments and scenes. One line for each that leads nowhere; exit status 1 if there is any. Standard library only.
 """
 import pathlib
 import re
@@ -14,6 +14,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("source", "include", "tests", "prm", "doc", "scripts", "bench", "cmake")
+ROOMS = [room.name for room in (ROOT / "include/whipple").iterdir() if room.is_dir() and room.name != "output"]  # output/: of runs
+SHORT = re.compile(r"`((?:%s)/[\w./*-]+)`" % "|".join(ROOMS))
 PAGE = re.compile(r"(?<![\w/.])doc/[\w/]+\.(?:md|bib)\b")
 CITED = re.compile(r"\[((?:[A-Za-z]+(?:19|20)\d\d(?:,\s*)?)+)\]")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
@@ -54,6 +56,9 @@ def check_page(page, faults):
             continue
         if not list(ROOT.glob(path.rstrip("/"))) and not list(ROOT.glob(path + ".*")):
             faults.append(f"{page.relative_to(ROOT)}: `{path}`: no such file")
+    for path in SHORT.findall(text):
+        if not any(list(ROOT.glob(f"{top}/{path}{end}")) for top in ("source", "include/whipple") for end in ("", ".*")):
+            faults.append(f"{page.relative_to(ROOT)}: `{path}`: no such file in a room")
 
 
 def main():
