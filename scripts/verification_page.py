@@ -31,7 +31,7 @@ the studies of the [scenes](../prm/verification) against exact solutions: `./whi
 repeats each. Equations and sources: [gases](theory/exact_gas.md), [solids](theory/exact_solid.md),
 [smooth flows](theory/exact_smooth.md); norms: [summary.md](summary.md); orders: [studies.md](studies.md). Hard cases:
 [stability.md](stability.md). What falls short is explained in [limitations.md](limitations.md) and
-[open_faults.md](open_faults.md).
+[open_faults.md](open_faults.md). Sources in square brackets: [references.bib](references.bib).
 """
 
 ERRORS = ("density", "velocity", "pressure")
