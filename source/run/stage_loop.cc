@@ -229,7 +229,7 @@ namespace whipple
     lower(stage_.max_time_step, "scene");
     lower(progress.ceiling, "retry");
     progress.last_time_step = dt;
-    // two equal steps rather than a full one and a splinter
+    // two equal steps rather than a full one and a very short one
     if (left < 2. * dt)
       lower(left <= dt ? left : 0.5 * left, "end of stage");
     tried_dt_ = dt;
