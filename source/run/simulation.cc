@@ -280,6 +280,7 @@ namespace whipple
     if (dynamic_cast<const Interrupted *>(&error))
       {
         last_good_.restore(layout_, state_); // what the checkpoint holds
+        state_.books.summary.resumable = true;
         reporter_.log().info(error.what());
       }
     else if (state_.domain.view)

@@ -96,7 +96,7 @@ namespace whipple
     const Domain<dim>   &domain = run_.domain;
     const FlatMesh<dim> &mesh   = domain.view->mesh;
     cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    cycle_->refresh(run_.domain.state);
+    cycle_->evaluate(run_.domain.state);
     guard_ = Regridding<dim>::guard_cells(mesh);
     cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
   }
@@ -106,6 +106,7 @@ namespace whipple
   StageLoop<dim>::new_mesh()
   {
     use_mesh();
+    cycle_->refresh(run_.domain.state);
     run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
     run_.books.progress.since_regrid       = 0;
     run_.books.progress.spare_after_regrid = -1;
@@ -410,7 +411,7 @@ namespace whipple
     if (new_view || !cycle_ || cycle_->mesh() != &run_.domain.view->mesh)
       use_mesh();
     else
-      cycle_->refresh(run_.domain.state);
+      cycle_->evaluate(run_.domain.state);
     progress.ceiling                  = retry_factor * tried_dt_;
     progress.failed_until             = until;
     progress.retries                  = failed.retries;

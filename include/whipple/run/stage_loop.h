@@ -37,10 +37,10 @@ namespace whipple
   private:
     void
     begin();
-    /// Build what belongs to the mesh and its bonds.
+    /// Build what belongs to the mesh and its bonds, of a run that goes on with it.
     void
     use_mesh();
-    /// The same for a mesh that the run has just got.
+    /// The same of a mesh that the run has just got.
     void
     new_mesh();
     void
