@@ -28,7 +28,8 @@ namespace
     std::vector<std::string> overrides = small;
     overrides.push_back("Stages/debris/Cohesion = " + cohesion);
     if (cohesion == "graded")
-      overrides.push_back("Effects/List = strength, voids, failure, body tags");
+      overrides.insert(overrides.end(),
+                       {"Effects/List = strength, voids, failure, body tags", "Materials/aluminium/Failure = spall"});
     return read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
   }
 
@@ -156,9 +157,11 @@ namespace
               resumed->run();
               EXPECT_EQ(resumed->summary().status, "completed");
               if (rank_of(second) == 0)
-                EXPECT_TRUE(ended(*resumed, directory) == ended(*whole, folder + "/whole"))
-                    << cohesion << ", " << before << " -> " << after << " ranks, stopped after " << share * duration
-                    << " s";
+                {
+                  EXPECT_TRUE(ended(*resumed, directory) == ended(*whole, folder + "/whole"))
+                      << cohesion << ", " << before << " -> " << after << " ranks, stopped after " << share * duration
+                      << " s";
+                }
             }
           MPI_Barrier(MPI_COMM_WORLD);
           for (MPI_Comm *part : {&first, &second})
