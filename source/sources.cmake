@@ -134,6 +134,17 @@ set(WHIPPLE_FLAT
     source/remap/sweep_topology.cc
     source/remap/swept_volume.cc
     source/remap/volume_flux.cc
+    source/scene/body_volume.cc
+    source/scene/box_shape.cc
+    source/scene/cone_shape.cc
+    source/scene/cylinder_shape.cc
+    source/scene/plate_shape.cc
+    source/scene/polygon_corners.cc
+    source/scene/polygon_shape.cc
+    source/scene/shape.cc
+    source/scene/sphere_shape.cc
+    source/scene/triangulation.cc
+    source/scene/units.cc
     source/state/corner_velocity.cc
     source/state/packet_layout.cc
     source/state/velocity_gather.cc
@@ -190,7 +201,6 @@ set(WHIPPLE_DEALII
     source/run/state_guard.cc
     source/run/time_step_history.cc
     source/scene/bodies_section.cc
-    source/scene/body_volume.cc
     source/scene/check_bodies.cc
     source/scene/check_inflow.cc
     source/scene/check_void_laws.cc
@@ -211,11 +221,10 @@ set(WHIPPLE_DEALII
     source/scene/read_scene.cc
     source/scene/scene_warnings.cc
     source/scene/section.cc
-    source/scene/shape.cc
+    source/scene/shape_section.cc
     source/scene/side_media.cc
     source/scene/stages_section.cc
     source/scene/study_section.cc
-    source/scene/units.cc
     source/scene/warnings_of_cost.cc
     source/scene/warnings_of_motion.cc
     source/study/analysis.cc

@@ -5,6 +5,7 @@
 #include <whipple/initial/painting.h>
 #include <whipple/mesh/collective.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/box_shape.h>
 #include <whipple/scene/material_effects.h>
 #include <whipple/state/round_off_share.h>
 
@@ -143,7 +144,7 @@ namespace whipple
           upper[d] = std::min(upper[d] + margin, lattice.finest(d));
         }
       const Vector<dim> from = position<dim>(lattice, lower), to = position<dim>(lattice, upper);
-      const double      whole = body_volume<dim>(lattice.symmetry, Box<dim>{from, to}, from, to);
+      const double      whole = box_volume(lattice.symmetry, from, to);
       return body_volume<dim>(lattice.symmetry, shape, from, to) > (1. - 1e-9) * whole;
     }
   } // namespace

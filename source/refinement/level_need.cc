@@ -25,6 +25,7 @@ namespace whipple
           const Box<dim> box = extent(body.shape);
           for (int d = 0; d < dim; ++d)
             thinnest = std::min(thinnest, box.upper[d] - box.lower[d]);
+          thinnest = std::min(thinnest, body.shape->least_thickness({}));
         }
       const double levels = std::floor(std::log2(thinnest / (least_cells * scene.lattice.spacing)));
       return static_cast<int>(std::clamp<double>(levels, 0, scene.mesh.quiet_levels));

@@ -3,69 +3,13 @@
 #include <whipple/scene/material_effects.h>
 #include <whipple/scene/plausible.h>
 #include <whipple/scene/sections.h>
+#include <whipple/scene/shape_section.h>
 
 namespace whipple::sections
 {
   namespace
   {
     const std::string path = "Bodies";
-
-    /// Keys that belong to one shape only, the one that holds its position first.
-    struct ShapeKeys
-    {
-      std::string              shape;
-      std::vector<std::string> keys;
-    };
-    const std::vector<ShapeKeys> shape_keys{{"sphere", {"Center", "Diameter"}},
-                                            {"plate", {"Front face", "Thickness", "Half width"}},
-                                            {"box", {"Lower corner", "Upper corner"}}};
-
-    template <int dim>
-    Shape<dim>
-    read_sphere(const SceneSection &section)
-    {
-      return Sphere<dim>{section.vector<dim>("Center", units::length), section.positive("Diameter", units::length)};
-    }
-
-    template <int dim>
-    Shape<dim>
-    read_plate(const SceneSection &section)
-    {
-      Plate<dim> plate;
-      plate.front     = section.quantity("Front face", units::length);
-      plate.thickness = section.positive("Thickness", units::length);
-      if (section.given("Half width"))
-        plate.half_width = section.positive("Half width", units::length);
-      return plate;
-    }
-
-    template <int dim>
-    Shape<dim>
-    read_box(const SceneSection &section)
-    {
-      const Box<dim> box{section.vector<dim>("Lower corner", units::length),
-                         section.vector<dim>("Upper corner", units::length)};
-      for (int d = 0; d < dim; ++d)
-        if (!(box.upper[d] > box.lower[d]))
-          section.reject("Upper corner",
-                         "must lie above the lower corner '" + section.text("Lower corner") + "' along every axis");
-      return box;
-    }
-
-    template <int dim>
-    Shape<dim>
-    read_shape(const SceneSection &section)
-    {
-      using Reader      = Shape<dim> (*)(const SceneSection &);
-      const auto reader = section.choice<Reader>(
-          "Shape", {{"sphere", &read_sphere<dim>}, {"plate", &read_plate<dim>}, {"box", &read_box<dim>}});
-      for (const ShapeKeys &other : shape_keys)
-        if (other.shape != section.text("Shape"))
-          for (const std::string &key : other.keys)
-            if (section.given(key))
-              section.reject(key, "belongs to the shape " + other.shape + ", not to a " + section.text("Shape"));
-      return reader(section);
-    }
 
     /// Specific energy of the pressure that the body asks for; density and pressure are those of the solid times its
     /// share of the volume.
@@ -130,7 +74,7 @@ namespace whipple::sections
 
       Body<dim> body;
       body.name          = name;
-      body.shape         = read_shape<dim>(section);
+      body.shape         = read_shape<dim>(section, scene);
       body.velocity      = section.vector<dim>("Velocity", units::velocity);
       body.material      = section.name_index("Material", section.text("Material"), materials);
       body.initial_state = section.choice<InitialState>(
@@ -158,14 +102,7 @@ namespace whipple::sections
     for (const std::string &name : names)
       {
         SceneSection section(parameters, path + "/" + name);
-        section.declare("Shape", "", "sphere (planar: cylinder) | plate (normal to axis 1) | box");
-        section.declare("Center", "", "sphere");
-        section.declare("Diameter", "", "sphere");
-        section.declare("Front face", "", "plate: its lower face along axis 1");
-        section.declare("Thickness", "", "plate");
-        section.declare("Half width", "", "plate: |x| or r up to which it reaches; not given: the whole domain");
-        section.declare("Lower corner", "", "box");
-        section.declare("Upper corner", "", "box");
+        declare_shape(section);
         section.declare("Initial state", "uniform",
                         "uniform | exact: density, energy and velocity of the scene's exact solution");
         section.declare("Velocity", "0 cm/us, 0 cm/us", "along axis 0 and axis 1");

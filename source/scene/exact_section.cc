@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
 #include <whipple/scene/sections.h>
+#include <whipple/scene/sphere_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,7 @@ namespace whipple::sections
       box            = scene.mapped_box(box);
       state.lower    = box.lower;
       state.upper    = box.upper;
-      state.round    = std::holds_alternative<Sphere<dim>>(body.shape);
+      state.round    = body.shape.template as<Sphere<dim>>() != nullptr;
       state.velocity = body.velocity;
       state.density  = body.density;
       state.energy   = body.energy;
