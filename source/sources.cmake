@@ -208,6 +208,9 @@ set(WHIPPLE_DEALII
     source/scene/effects_section.cc
     source/scene/encounters.cc
     source/scene/exact_section.cc
+    source/scene/expression.cc
+    source/scene/expression_section.cc
+    source/scene/expression_state.cc
     source/scene/geometry_section.cc
     source/scene/material_effects.cc
     source/scene/materials_section.cc

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/scene/expression_section.h>
 #include <whipple/scene/material_effects.h>
 #include <whipple/scene/plausible.h>
 #include <whipple/scene/sections.h>
@@ -35,9 +36,11 @@ namespace whipple::sections
     {
       const EquationOfState &eos         = *material.eos;
       const double           solid_share = 1. - initial_void_fraction(material);
-      if (!section.given("Density"))
+      const auto has_expression          = [&](const std::string &key) { return section.given(key + " expression"); };
+      if (!section.given("Density") && !has_expression("Density"))
         section.replace("Density", units::format(solid_share * eos.reference_density(), units::density));
-      body.density = section.positive("Density", units::density);
+      body.density = section.given("Density") ? section.positive("Density", units::density)
+                                              : solid_share * eos.reference_density();
 
       if (section.given("Pressure") && section.given("Specific energy"))
         section.reject("Pressure", "allowed is a pressure or a specific energy, not both");
@@ -46,9 +49,9 @@ namespace whipple::sections
           body.energy = energy_of_pressure(section, eos, body.density, solid_share);
           return;
         }
-      if (!section.given("Specific energy"))
+      if (!section.given("Specific energy") && !has_expression("Specific energy"))
         section.replace("Specific energy", units::format(0, units::specific_energy));
-      body.energy = section.quantity("Specific energy", units::specific_energy);
+      body.energy = section.given("Specific energy") ? section.quantity("Specific energy", units::specific_energy) : 0.;
     }
 
     /// Entries that the exact solution says instead.
@@ -59,6 +62,8 @@ namespace whipple::sections
       for (const char *key : {"Density", "Pressure", "Specific energy", "Deposited energy"})
         if (section.given(key))
           section.reject(key, "the initial state is exact: the exact solution gives it; allowed is nothing");
+      for (const std::string &key : given_expressions(section))
+        section.reject(key, "the initial state is exact: the exact solution gives it; allowed is nothing");
       if (body.velocity != Vector<dim>{})
         section.reject("Velocity", "the initial state is exact: the exact solution gives it; allowed is nothing");
     }
@@ -85,7 +90,9 @@ namespace whipple::sections
           body.density = scene.materials[body.material].model.eos->reference_density();
           return body;
         }
+      reject_doubles<dim>(section, body);
       read_state(section, scene.materials[body.material].model, body);
+      read_expressions(section, scene, body);
       if (section.given("Deposited energy"))
         body.deposit = EnergyDeposit<dim>{section.positive("Deposited energy", units::energy),
                                           section.vector<dim>("Deposit point", units::length)};
@@ -110,6 +117,7 @@ namespace whipple::sections
         section.declare("Density", "", "not given: the material's at zero pressure and energy");
         section.declare("Pressure", "", "instead of a specific energy");
         section.declare("Specific energy", "", "not given, and no pressure given: zero");
+        declare_expressions(section);
         section.declare("Deposited energy", "", "put into the one cell that holds the deposit point");
         section.declare("Deposit point", "", "inside the body");
       }
