@@ -156,6 +156,7 @@ set(WHIPPLE_DEALII
     source/command/help.cc
     source/command/model_reference.cc
     source/command/mpirun.cc
+    source/command/shape_reference.cc
     source/diagnostics/debris_measure.cc
     source/diagnostics/exact_errors.cc
     source/diagnostics/phase_measure.cc

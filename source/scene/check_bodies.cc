@@ -71,7 +71,7 @@ namespace whipple::sections
     void
     check_axisymmetric(const SceneSection &section, const Body<dim> &body)
     {
-      if (body.velocity[0] != 0 && extent(body.shape).lower[0] <= 0)
+      if (body.is_uniform() && body.velocity[0] != 0 && extent(body.shape).lower[0] <= 0)
         section.reject("Velocity", "in axisymmetry a body on the axis moves along it; the first component must be 0");
     }
 

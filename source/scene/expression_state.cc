@@ -37,16 +37,19 @@ namespace whipple
   std::string
   ExpressionState<dim>::problem(const exact::PointState<dim> &state)
   {
-    std::ostringstream text;
+    const auto shown = [](double value, const char *unit) {
+      std::ostringstream text;
+      text << value << ' ' << unit;
+      return std::isnan(value) ? "not a number" : text.str();
+    };
     if (!(state.density > 0) || !std::isfinite(state.density))
-      text << "the density is " << state.density << " g/cm^3";
-    else if (!std::isfinite(state.energy))
-      text << "the specific energy is " << state.energy << " Mbar cm^3/g";
-    else
-      for (int d = 0; d < dim; ++d)
-        if (!std::isfinite(state.velocity[d]) && text.str().empty())
-          text << "the velocity along axis " << d << " is " << state.velocity[d] << " cm/us";
-    return text.str();
+      return "the density is " + shown(state.density, "g/cm^3");
+    if (!std::isfinite(state.energy))
+      return "the specific energy is " + shown(state.energy, "Mbar cm^3/g");
+    for (int d = 0; d < dim; ++d)
+      if (!std::isfinite(state.velocity[d]))
+        return "the velocity along axis " + std::to_string(d) + " is " + shown(state.velocity[d], "cm/us");
+    return "";
   }
 
   template <int dim>

@@ -93,17 +93,17 @@ namespace whipple
     const auto        edge = [](std::size_t i) { return std::to_string(i + 1); };
     if (n < 3)
       return "a polygon has at least 3 corners";
+    const auto at = [&](std::size_t i) -> const Vector<2> & { return corners[i % n]; };
     for (std::size_t i = 0; i < n; ++i)
-      {
-        const Vector<2> &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
-        if (a == b)
-          return "corners " + edge(i) + " and " + edge((i + 1) % n) + " are the same";
-        if (folds_back(a, b, c))
-          return "edge " + edge((i + 1) % n) + " comes back over edge " + edge(i);
-        for (std::size_t k = i + 2; k < n; ++k)
-          if ((k + 1) % n != i && edges_meet(a, b, corners[k], corners[(k + 1) % n]))
-            return "edges " + edge(i) + " and " + edge(k) + " cross or touch";
-      }
+      if (at(i) == at(i + 1))
+        return "corners " + edge(i) + " and " + edge((i + 1) % n) + " are the same";
+    for (std::size_t i = 0; i < n; ++i)
+      if (folds_back(at(i), at(i + 1), at(i + 2)))
+        return "edge " + edge((i + 1) % n) + " comes back over edge " + edge(i);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = i + 2; k < n; ++k)
+        if ((k + 1) % n != i && edges_meet(at(i), at(i + 1), at(k), at(k + 1)))
+          return "edges " + edge(i) + " and " + edge(k) + " cross or touch";
     const double size = size_of(box_around(corners));
     return std::abs(outline_area(corners)) > round_off * size * size ? "" : "the corners enclose no area";
   }
