@@ -40,7 +40,7 @@ namespace whipple
           const double     length = std::hypot(q[0] - p[0], q[1] - p[1]);
           const Vector<2>  normal{{(q[1] - p[1]) / length, (p[0] - q[0]) / length}};
           const auto       of_a = projected(a, normal), of_b = projected(b, normal);
-          if (std::min(of_a[1], of_b[1]) - std::max(of_a[0], of_b[0]) <= slack)
+          if (of_a[1] - of_b[0] <= slack || of_b[1] - of_a[0] <= slack)
             return true;
         }
       return false;
