@@ -54,5 +54,5 @@ grep -q '"breaks": [1-9]' graded.3/summary.json
 compare sedov 0.25 prm/verification/sedov.prm --set 'Stages/blast/End = 0.3 us'
 
 # turned bodies, an outline, and states in expressions
-compare oblique 0.006 prm/oblique_impact.prm --set 'Stages/impact/End = 0.3 us'
-compare cone 0.002 tests/verification/scenes/turned_cone.prm
+compare oblique 0.006 prm/oblique_impact.prm --set 'Mesh/Finest cell = 0.04 cm' --set 'Stages/impact/End = 0.3 us'
+compare cone 0.002 tests/verification/scenes/turned_cone.prm --set 'Stages/flight/End = 0.1 us'

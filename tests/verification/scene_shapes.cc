@@ -63,7 +63,7 @@ namespace
                        {body + "Shape = cone", body + "Center =", body + "Diameter =",
                         body + "Base center = 0 cm, -0.2 cm", body + "Base diameter = 0.48 cm",
                         body + "Top diameter = 0.16 cm", body + "Length = 0.4 cm", "Stages/flight/End = 2.4 us"},
-                       {{0., 2.4 * 0.658}}, whole, 0.02);
+                       {{0., 2.4 * 0.658}}, whole, 0.01);
   }
 
   // An oblique plate that flies along its normal, ten of its thicknesses.
@@ -76,7 +76,7 @@ namespace
                         body + "Velocity = -1 km/s, 1.7320508075688772 km/s", "Geometry/Symmetry = planar",
                         "Geometry/Left = transmitting", "Geometry/Lower corner = -0.88 cm, -0.48 cm",
                         "Geometry/Upper corner = 0.48 cm, 1.28 cm", "Stages/flight/End = 4 us"},
-                       {{-0.4, 0.69282032302755092}}, 0.08 * 0.6, 0.05);
+                       {{-0.4, 0.69282032302755092}}, 0.08 * 0.6, 0.03);
   }
 
   // The vortex of the library and the same formulas as expressions, after a run.
