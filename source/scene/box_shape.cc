@@ -24,6 +24,23 @@ namespace whipple
     return {box.lower, {{box.upper[0], box.lower[1]}}, box.upper, {{box.lower[0], box.upper[1]}}};
   }
 
+  Shape<2>
+  turned_box(std::vector<Vector<2>> corners)
+  {
+    Box<2> box{corners[0], corners[0]};
+    for (const Vector<2> &x : corners)
+      for (int d = 0; d < 2; ++d)
+        {
+          box.lower[d] = std::min(box.lower[d], x[d]);
+          box.upper[d] = std::max(box.upper[d], x[d]);
+        }
+    for (const Vector<2> &x : corners)
+      for (int d = 0; d < 2; ++d)
+        if (x[d] != box.lower[d] && x[d] != box.upper[d])
+          return PolygonShape(std::move(corners));
+    return BoxShape<2>(box);
+  }
+
   template <int dim>
   BoxShape<dim>::BoxShape(const Box<dim> &box)
     : box_(box)
@@ -110,7 +127,7 @@ namespace whipple
     std::vector<Vector<dim>> corners = box_corners(box_);
     for (Vector<dim> &x : corners)
       x = turn(x);
-    return PolygonShape(std::move(corners));
+    return turned_box(std::move(corners));
   }
 
   template class BoxShape<2>;

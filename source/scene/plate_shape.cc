@@ -85,16 +85,20 @@ namespace whipple
   Shape<dim>
   Plate<dim>::turned(const Turn<dim> &turn, const Box<dim> &domain) const
   {
+    const Vector<dim> zero{}, moved = turn(zero);
+    if (const Vector<dim> along = turn({{1., 0.}}); along[1] == moved[1] && (std::isinf(half_width) || moved[0] == 0))
+      return Plate(std::min(turn({{0., front}})[1], turn({{0., front + thickness}})[1]), thickness, half_width);
     // an infinite plate is turned as one that reaches out of the domain on both sides wherever it comes to lie
-    const Vector<dim> moved = turn(Vector<dim>{});
-    double            reach = 0;
+    double reach = 0;
     for (int d = 0; d < dim; ++d)
       reach += 2. * (std::abs(domain.lower[d]) + std::abs(domain.upper[d]) + std::abs(moved[d]));
-    const double             half    = std::isinf(half_width) ? reach : half_width;
-    std::vector<Vector<dim>> corners = box_corners(Plate(front, thickness, half).extent());
+    const bool               infinite = std::isinf(half_width);
+    std::vector<Vector<dim>> corners  = box_corners(Plate(front, thickness, infinite ? reach : half_width).extent());
     for (Vector<dim> &x : corners)
       x = turn(x);
-    return PolygonShape(std::move(corners), std::isinf(half_width) ? std::optional(domain) : std::nullopt);
+    if (infinite)
+      return PolygonShape(std::move(corners), domain);
+    return turned_box(std::move(corners));
   }
 
   template class Plate<2>;
@@ -104,7 +108,7 @@ namespace whipple
     const ShapeRegistration<2>
         registration({.name          = "plate",
                       .summary       = "a flat plate normal to axis 1, around axis 0 = 0",
-                      .documentation = "Its hole is measured (doc/summary.md), unless it is turned.",
+                      .documentation = "Its hole is measured (doc/summary.md), unless it is turned out of that plane.",
                       .parameters    = {{"Front face", "a length", "", "its lower face along axis 1"},
                                         {"Thickness", "a length", "", "how far it reaches above that"},
                                         {"Half width", "a length", "the whole domain", "it reaches to this \\|x\\| or r"}},

@@ -217,6 +217,12 @@ namespace
     const Shape<2> upright = plate.turned(Turn<2>::in_plane(90., {{0., 0.}}), domain);
     EXPECT_EQ(extent(upright).lower, (Vector<2>{{-0.04, -0.5}}));
     EXPECT_EQ(extent(upright).upper, (Vector<2>{{0.04, 0.5}}));
+    EXPECT_TRUE(upright->is_box());
+    // upside down a plate is a plate, whose hole can be measured
+    const Shape<2> over_head = plate.turned(Turn<2>::in_plane(180., {{0., 0.1}}), domain);
+    ASSERT_TRUE(over_head.as<Plate<2>>());
+    EXPECT_DOUBLE_EQ(over_head.as<Plate<2>>()->front, 0.16);
+    EXPECT_TRUE(Plate<2>(0., 1.).turned(Turn<2>::end_for_end({{0., 0.}}), domain).as<Plate<2>>());
 
     // what reaches over the whole domain does so afterwards: a strip of this thickness through a square of edge 4
     const Shape<2> oblique = Plate<2>(-0.04, 0.08).turned(Turn<2>::in_plane(30., {{0., 0.}}), domain);

@@ -37,6 +37,10 @@ namespace whipple
   double
   box_volume(Symmetry symmetry, const Vector<2> &lower, const Vector<2> &upper);
 
+  /// A shape with four corners that once were those of a box: still a box if the corners lie on its edges exactly.
+  Shape<2>
+  turned_box(std::vector<Vector<2>> corners);
+
   /// Corners of a box, counter-clockwise.
   std::vector<Vector<2>>
   box_corners(const Box<2> &box);
