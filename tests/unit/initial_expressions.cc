@@ -112,6 +112,22 @@ namespace
       }
   }
 
+  // A jump across cells, straight and oblique: 1 % of a cell's jump, wherever it lies in it.
+  TEST(InitialExpressions, JumpsAreFoundInsideCells)
+  {
+    for (const double at : {0.5, 0.5 + 0.001, 0.5 + 0.01, 0.5 + 0.0155, 0.5 + 0.03})
+      {
+        const auto mass = [&](const std::string &condition) {
+          const Start start(scene_of("planar", square + " set Density expression = if(" + condition +
+                                                   ", 3, 2)\n set Density unit = g/cm^3\n set Coordinate unit = cm\n"));
+          return totals(start.domain.view->mesh, start.domain.state, MPI_COMM_SELF).mass;
+        };
+        const double cell = 0.03125;
+        EXPECT_NEAR(mass("y < " + std::to_string(at)), 2. + at, 0.011 * cell) << at;
+        EXPECT_NEAR(mass("x + y < " + std::to_string(at)), 2. + 0.5 * at * at, 0.011 * cell) << at;
+      }
+  }
+
   // In another unit the same state.
   TEST(InitialExpressions, UnitsOfCoordinatesAndValues)
   {
