@@ -25,6 +25,7 @@ namespace whipple
           const Box<dim> box = extent(body.shape);
           for (int d = 0; d < dim; ++d)
             thinnest = std::min(thinnest, box.upper[d] - box.lower[d]);
+          thinnest = std::min(thinnest, body.shape->least_thickness({}));
         }
       const double levels = std::floor(std::log2(thinnest / (least_cells * scene.lattice.spacing)));
       return static_cast<int>(std::clamp<double>(levels, 0, scene.mesh.quiet_levels));
@@ -68,7 +69,7 @@ namespace whipple
   LevelNeed<dim>::of_body(const Body<dim> &body) const
   {
     const int finest = scene_.lattice.max_level;
-    if (body.initial_state == InitialState::exact)
+    if (!body.is_uniform())
       return finest;
     for (const double component : body.velocity)
       if (std::abs(component) > scene_.mesh.quiet_velocity)
@@ -86,7 +87,7 @@ namespace whipple
   {
     const int level  = of_body(body);
     const int smooth = std::max(0, scene_.lattice.max_level - scene_.mesh.smooth_levels);
-    return body.initial_state == InitialState::exact ? level : std::min(level, smooth);
+    return !body.is_uniform() ? level : std::min(level, smooth);
   }
 
   template <int dim>

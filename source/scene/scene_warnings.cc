@@ -2,6 +2,7 @@
 #include <whipple/material/johnson_cook_damage.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/scene_warnings.h>
+#include <whipple/scene/sphere_shape.h>
 #include <whipple/scene/units.h>
 
 #include <algorithm>
@@ -73,6 +74,18 @@ namespace whipple
         return mirrored ? 2. * inside : inside;
       }
 
+      /// Sides of the domain behind which the scene goes on as its mirror image.
+      template <int dim>
+      std::vector<MirrorPlane>
+      mirrors(const Scene<dim> &scene)
+      {
+        std::vector<MirrorPlane> planes;
+        for (int side = 0; side < 2 * dim; ++side)
+          if (scene.boundaries[side].kind == BoundaryKind::reflecting)
+            planes.push_back({side / 2, side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2]});
+        return planes;
+      }
+
       /// The smallest of those below a bound, and how many there are.
       struct Worst
       {
@@ -114,8 +127,10 @@ namespace whipple
         return lines;
       Worst thin, coarse; // one line for all bodies of a kind
       for (const Body<dim> &body : scene.bodies)
-        if (const auto *sphere = std::get_if<Sphere<dim>>(&body.shape))
+        if (const auto *sphere = body.shape.template as<Sphere<dim>>())
           coarse.add(body.name, sphere->diameter, (1. - round_off) * least_sphere_cells * cell);
+        else if (!body.shape->is_box())
+          thin.add(body.name, body.shape->least_thickness(mirrors(scene)), (1. - round_off) * least_cells * cell);
         else
           {
             double thinnest = std::numeric_limits<double>::infinity();

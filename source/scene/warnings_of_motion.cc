@@ -29,7 +29,7 @@ namespace whipple::warnings
           return true;
       return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) {
         const Body<dim> &body = scene.bodies[b];
-        return body.initial_state == InitialState::exact || body.energy > 0 || body.deposit ||
+        return !body.is_uniform() || body.energy > 0 || body.deposit ||
                scene.materials[body.material].request.equation_of_state == "ideal gas";
       });
     }

@@ -45,8 +45,9 @@ namespace whipple
   /// What a body is filled with when it enters.
   enum class InitialState
   {
-    uniform, ///< one density, energy and velocity
-    exact    ///< those of the scene's exact solution at that time
+    uniform,    ///< one density, energy and velocity
+    exact,      ///< those of the scene's exact solution at that time
+    expressions ///< functions of the coordinates, Body::field
   };
 
   /// A body as it enters the scene, without void and stress.
@@ -57,10 +58,20 @@ namespace whipple
     Shape<dim>                        shape;
     std::size_t                       material      = 0; ///< index into Scene::materials
     InitialState                      initial_state = InitialState::uniform;
-    Vector<dim>                       velocity{};  ///< cm/us
-    double                            density = 0; ///< g/cm^3; not exact: the material's at rest
-    double                            energy  = 0; ///< specific internal energy, Mbar cm^3/g
+    Vector<dim>                       velocity{};  ///< cm/us; expressions: the mean by mass
+    double                            density = 0; ///< g/cm^3; exact: the material's at rest; expressions: the mean
+    double                            energy  = 0; ///< specific internal energy, Mbar cm^3/g; expressions: the mean
     std::optional<EnergyDeposit<dim>> deposit;
+
+    /// Density, energy and velocity where expressions give them; else null.
+    std::shared_ptr<const exact::ExactSolution<dim>> field;
+
+    /// Whether it has one state: density, energy and velocity above.
+    bool
+    is_uniform() const
+    {
+      return initial_state == InitialState::uniform;
+    }
   };
 
   /// What moves the mesh of a stage.
