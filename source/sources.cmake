@@ -140,9 +140,13 @@ set(WHIPPLE_FLAT
     source/scene/cylinder_shape.cc
     source/scene/plate_shape.cc
     source/scene/polygon_corners.cc
+    source/scene/end_at_leading_edge.cc
+    source/scene/end_at_time.cc
+    source/scene/end_when_settled.cc
     source/scene/polygon_shape.cc
     source/scene/shape.cc
     source/scene/sphere_shape.cc
+    source/scene/stage_end.cc
     source/scene/triangulation.cc
     source/scene/units.cc
     source/state/corner_velocity.cc
@@ -207,6 +211,7 @@ set(WHIPPLE_DEALII
     source/run/regridding.cc
     source/run/reporter.cc
     source/run/resume.cc
+    source/run/run_view.cc
     source/run/simulation.cc
     source/run/stage_loop.cc
     source/run/state_guard.cc

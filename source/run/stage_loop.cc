@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/diagnostics/debris_measure.h>
 #include <whipple/hydro/folding.h>
 #include <whipple/mesh/collective.h>
 #include <whipple/mesh/gather.h>
 #include <whipple/mesh/key_index.h>
 #include <whipple/run/bond_breaking.h>
+#include <whipple/run/run_view.h>
 #include <whipple/run/stage_loop.h>
 
 #include <algorithm>
@@ -181,30 +181,10 @@ namespace whipple
   double
   StageLoop<dim>::time_left()
   {
-    const Domain<dim> &domain = run_.domain;
-    summary::Stage    &record = run_.record();
-    if (stage_.end.kind != StageEnd::Kind::leading_edge)
-      {
-        const double left = run_.books.progress.end_time - domain.state.time;
-        return left > 1e-9 * record.end_us ? left : 0.;
-      }
-
-    // time until the fastest corner could bridge the gap; a hundredth of a cell short of the plate is there
-    const double front    = extent(scene_.bodies[stage_.end.body].shape).lower[1];
-    const double foremost = foremost_point(domain.view->mesh, domain.state, domain.communicator());
-    const double gap      = front - foremost;
-    double       fastest  = 0;
-    for (Index n = 0; n < domain.state.n_nodes(); ++n)
-      if (domain.state.node_mass[n] > 0)
-        fastest = std::max(fastest, domain.state.velocity[1][n]);
-    fastest = max_over_ranks(fastest, domain.communicator());
-    if (gap <= 0.01 * scene_.lattice.spacing)
-      return 0.;
-    if (fastest <= 0)
-      throw StateError("stage '" + stage_.name + "' waits for a leading edge, but nothing moves towards body '" +
-                       scene_.bodies[stage_.end.body].name + "', " + std::to_string(gap) + " cm away");
-    record.end_us = domain.state.time + gap / fastest;
-    return std::max(gap, 0.1 * scene_.lattice.spacing) / fastest;
+    const StageEnd::Left left =
+        stage_.end->time_left(RunView<dim>(scene_, layout_, run_), run_.books.progress.memory_of_end);
+    run_.record().end_us = left.end;
+    return left.time;
   }
 
   template <int dim>
@@ -483,12 +463,10 @@ namespace whipple
     StageProgress &progress = run_.books.progress;
     progress                = StageProgress{};
     progress.begun          = true;
-    progress.end_time       = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? now : 0.);
     summary::Stage &record  = run_.books.summary.stages.emplace_back();
     record.name             = stage_.name;
     record.mode             = eulerian ? "eulerian" : "lagrangian";
     record.start_us         = now;
-    record.end_us           = progress.end_time;
     new_mesh();
     if (eulerian)
       record.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);

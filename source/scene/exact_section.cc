@@ -59,10 +59,10 @@ namespace whipple::sections
     {
       double duration = 0;
       for (const Stage &stage : stages)
-        if (stage.end.kind == StageEnd::Kind::leading_edge)
+        if (!stage.end->is_known())
           return 0;
         else
-          duration = stage.end.time + (stage.end.kind == StageEnd::Kind::after ? duration : 0.);
+          duration = stage.end->expected({duration, 0., 0.});
       return duration;
     }
 

@@ -38,16 +38,7 @@ namespace whipple
     std::vector<double> times{0.};
     for (const Stage &stage : scene.stages)
       {
-        const double start = times.back();
-        if (stage.end.kind == StageEnd::Kind::at_time)
-          times.push_back(std::max(start, stage.end.time));
-        else if (stage.end.kind == StageEnd::Kind::after)
-          times.push_back(start + stage.end.time);
-        else
-          {
-            const double way = extent(scene.bodies[stage.end.body].shape).lower[1] - front;
-            times.push_back(std::max(start, fastest > 0 ? way / fastest : std::numeric_limits<double>::infinity()));
-          }
+        times.push_back(stage.end->expected({times.back(), front, fastest}));
       }
     return times;
   }

@@ -32,7 +32,7 @@ namespace
     RunBooks<2> books;
     books.stage                       = 3;
     books.progress.begun              = true;
-    books.progress.end_time           = 1. / 3.;
+    books.progress.memory_of_end      = {1. / 3., 0x1p-1060};
     books.progress.last_time_step     = 0x1.fffffffffffffp-7;
     books.progress.ceiling            = HUGE_VAL;
     books.progress.failed_until       = -HUGE_VAL;
@@ -71,6 +71,7 @@ namespace
     const auto again = books_from_cbor(bytes);
     EXPECT_EQ(to_cbor(again), bytes);
     EXPECT_EQ(again.progress.folded, books.progress.folded);
+    EXPECT_EQ(again.progress.memory_of_end, books.progress.memory_of_end);
     EXPECT_EQ(again.progress.ceiling, HUGE_VAL);
     EXPECT_EQ(again.progress.history.steps(), books.progress.history.steps());
     EXPECT_EQ(again.ledger.introduced().momentum[1], 1e-310);

@@ -116,8 +116,7 @@ namespace
     const Stage &perforation = scene.stages[0], &debris = scene.stages[1], &impact = scene.stages[2];
     EXPECT_EQ(perforation.mode, StageMode::eulerian);
     EXPECT_EQ(perforation.introduces, (std::vector<std::size_t>{0, 1}));
-    EXPECT_EQ(perforation.end.kind, StageEnd::Kind::at_time);
-    EXPECT_EQ(perforation.end.time, 1.5);
+    EXPECT_EQ(perforation.end->fixed_time(), std::optional<double>(1.5));
     EXPECT_EQ(debris.mode, StageMode::lagrangian);
     EXPECT_EQ(debris.cohesion, Cohesion::fragments);
     EXPECT_EQ(debris.breaking.damage, 0.5);
@@ -126,12 +125,12 @@ namespace
     EXPECT_EQ(debris.debris.void_cutoff, 0.99);
     EXPECT_DOUBLE_EQ(debris.debris.minimum_axial_velocity, 0.0658);
     EXPECT_EQ(debris.debris.behind, std::optional<std::size_t>(1));
-    EXPECT_EQ(debris.end.kind, StageEnd::Kind::leading_edge);
-    EXPECT_EQ(debris.end.body, 2u);
+    EXPECT_EQ(debris.end->awaited_body(), std::optional<std::size_t>(2));
+    EXPECT_FALSE(debris.end->is_known());
     EXPECT_TRUE(debris.introduces.empty());
     EXPECT_EQ(impact.introduces, (std::vector<std::size_t>{2}));
-    EXPECT_EQ(impact.end.kind, StageEnd::Kind::after);
-    EXPECT_EQ(impact.end.time, 2.);
+    EXPECT_FALSE(impact.end->fixed_time());
+    EXPECT_EQ(impact.end->expected({1., 0., 0.}), 3.);
     EXPECT_EQ(scene.numerics.hydro.courant, 0.5);
     EXPECT_EQ(scene.output.fields_interval, std::optional<double>(0.5));
   }

@@ -11,6 +11,7 @@
 #include <whipple/projection/to_eulerian.h>
 #include <whipple/scene/prm_statements.h>
 #include <whipple/scene/shape.h>
+#include <whipple/scene/stage_end.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <cstddef>
@@ -81,20 +82,6 @@ namespace whipple
     lagrangian ///< the mesh moves with the material: no remap
   };
 
-  /// What ends a stage.
-  struct StageEnd
-  {
-    enum class Kind
-    {
-      at_time,     ///< at `time` since the start of the run
-      after,       ///< `time` after the start of the stage
-      leading_edge ///< when the leading edge reaches the front face of `body`
-    };
-    Kind        kind = Kind::at_time;
-    double      time = 0; ///< us
-    std::size_t body = 0; ///< index into Scene::bodies; no earlier stage introduces it
-  };
-
   /// What a Lagrangian stage takes over from the Eulerian stage before it; the rest is dropped and booked.
   struct DebrisEntry
   {
@@ -109,7 +96,7 @@ namespace whipple
     std::string              name;
     StageMode                mode = StageMode::eulerian;
     std::vector<std::size_t> introduces; ///< indices of bodies that enter at its start
-    StageEnd                 end;
+    std::shared_ptr<const StageEnd> end;
     double                   max_time_step       = std::numeric_limits<double>::infinity(); ///< us
     KineticLoss              lost_kinetic_energy = KineticLoss::heat;                       ///< by remap and projection
 
