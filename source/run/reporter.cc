@@ -78,7 +78,7 @@ namespace whipple
   Reporter<dim>::write_fields(const Stage &stage, const Domain<dim> &domain)
   {
     if (scene_.output.fields_interval)
-      fields_.write(domain.view->mesh, domain.state, stage.name);
+      fields_.write(domain.view->mesh, domain.state, domain.derived, stage.name);
   }
 
   template <int dim>
@@ -218,8 +218,8 @@ namespace whipple
   {
     warn_of_events(stage, ledger);
     log_.warning(reason);
-    write_last_good_state(directory_, domain.view->mesh, domain.state, layout_.material_names, stage.name, reason,
-                          domain.communicator());
+    write_last_good_state(directory_, domain.view->mesh, domain.state, domain.derived, layout_.material_names,
+                          stage.name, reason, domain.communicator());
     log_.info(format("the last good state, at %.6f us, is in the output directory", domain.state.time));
   }
 

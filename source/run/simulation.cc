@@ -182,7 +182,7 @@ namespace whipple
   Simulation<dim>::measure_errors()
   {
     const FlatMesh<dim> &mesh = domain_.view->mesh;
-    summary_.errors           = exact_errors<dim>(*scene_.exact, mesh, domain_.state, domain_.communicator());
+    summary_.errors = exact_errors<dim>(*scene_.exact, mesh, domain_.state, domain_.derived, domain_.communicator());
     if (const auto shock = measure_shock<dim>(scene_, mesh, domain_.state, domain_.communicator()))
       summary_.results[exact_place] = shock_results(*shock);
   }

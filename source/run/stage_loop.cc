@@ -78,7 +78,7 @@ namespace whipple
   {
     const FlatMesh<dim> &mesh = domain.view->mesh;
     cycle_                    = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    cycle_->refresh(domain.state);
+    cycle_->refresh(domain.state, domain.derived);
     guard_                   = Regridding<dim>::guard_cells(mesh);
     cells_                   = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
     record_.active_cells_max = std::max(record_.active_cells_max, cells_);
@@ -170,7 +170,7 @@ namespace whipple
   double
   StageLoop<dim>::choose_time_step(const Domain<dim> &domain, double left)
   {
-    limit_ = cycle_->time_step(domain.state);
+    limit_ = cycle_->time_step(domain.state, domain.derived);
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
@@ -275,7 +275,7 @@ namespace whipple
         ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
                     report.gathered.kinetic_loss, "Mbar cm^3");
         ledger.gathered("contact", report.gathered, loss);
-        cycle_->refresh(domain.state);
+        cycle_->refresh(domain.state, domain.derived);
       }
     bool anew = false;
     if (overlap_is_deep(report))
@@ -309,7 +309,7 @@ namespace whipple
     if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
-    cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
+    cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(record_.steps % dim), ledger);
     if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
       refuse_folded(domain);
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
@@ -334,6 +334,7 @@ namespace whipple
     ceiling_      = retry_factor * tried_dt_;
     failed_until_ = domain.state.time + tried_dt_;
     domain.state  = snapshot_.state;
+    cycle_->evaluate(domain.state, domain.derived);
     ledger        = snapshot_.ledger;
     record_.cell_steps -= static_cast<double>(cells_) * (record_.steps - snapshot_.step);
     history_.forget(record_.steps - snapshot_.step);

@@ -48,6 +48,8 @@ namespace whipple::stability
     mesh() const;
     const State<2> &
     state() const;
+    const Derived &
+    derived() const;
     const Ledger<2> &
     ledger() const;
     const summary::Summary &
