@@ -167,13 +167,19 @@ namespace whipple
   }
 
   template <int dim>
-  double
-  StageLoop<dim>::choose_time_step(const Domain<dim> &domain, double left)
+  void
+  StageLoop<dim>::find_limit(const Domain<dim> &domain)
   {
     limit_ = cycle_->time_step(domain.state, domain.derived);
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
+  }
+
+  template <int dim>
+  double
+  StageLoop<dim>::choose_time_step(double left)
+  {
     double     dt    = limit_.dt;
     const auto lower = [&](double bound, const char *reason) {
       if (bound < dt)
@@ -196,7 +202,7 @@ namespace whipple
   }
 
   template <int dim>
-  void
+  bool
   StageLoop<dim>::release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
     const ReleaseReport<dim> report =
@@ -204,26 +210,28 @@ namespace whipple
     const GatherReport<dim> all =
         sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
     ledger.gathered("released fragments", all, KineticLoss::heat);
-    counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    const long released = static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    counts.releases += released;
+    return released > 0;
   }
 
   template <int dim>
-  void
+  bool
   StageLoop<dim>::free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
     if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
-      return;
+      return false;
     std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
     cells.insert(cells.end(), folded_.begin(), folded_.end());
     if (max_over_ranks(static_cast<double>(cells.size()), domain.communicator()) == 0)
-      return;
+      return false;
     double mass = 0;
     for (const Index c : cells)
       mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
     const KineticLoss      loss   = stage_.lost_kinetic_energy;
     const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
     if (report.broken == 0)
-      return;
+      return false;
     counts.breaks += report.broken;
     ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
                 sum_over_ranks(mass, domain.communicator()), "g");
@@ -231,6 +239,7 @@ namespace whipple
     new_mesh(domain);
     ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "freeing of elements", round_off);
     take_snapshot(domain, ledger); // of the new nodes
+    return true;
   }
 
   template <int dim>
@@ -300,12 +309,23 @@ namespace whipple
   void
   StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
   {
-    const double dt = choose_time_step(domain, left);
+    find_limit(domain);
     if (stage_.mode == StageMode::lagrangian)
       {
-        free_folding(domain, ledger, counts);
-        release(domain, ledger, counts);
+        const bool freed    = free_folding(domain, ledger, counts);
+        const bool released = release(domain, ledger, counts);
+        if (released)
+          cycle_->evaluate(domain.state, domain.derived); // heated: other pressures and strengths
+        if (freed || released)
+          {
+            // no longer than what folding was looked for in, no longer than what the heated pieces allow
+            const AgreedTimeStep before = limit_;
+            find_limit(domain);
+            if (before.dt < limit_.dt)
+              limit_ = before;
+          }
       }
+    const double dt = choose_time_step(left);
     if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
@@ -335,7 +355,7 @@ namespace whipple
     failed_until_ = domain.state.time + tried_dt_;
     domain.state  = snapshot_.state;
     cycle_->evaluate(domain.state, domain.derived);
-    ledger        = snapshot_.ledger;
+    ledger = snapshot_.ledger;
     record_.cell_steps -= static_cast<double>(cells_) * (record_.steps - snapshot_.step);
     history_.forget(record_.steps - snapshot_.step);
     record_.steps     = snapshot_.step;

@@ -44,13 +44,15 @@ namespace whipple
     new_mesh(Domain<dim> &domain);
     void
     regrid(Domain<dim> &domain, Ledger<dim> &ledger);
-    void
+    /// Stop fragments that are about to fold from deforming. @returns whether any rank has changed the state
+    bool
     release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
     bonds_break(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
-    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
-    void
+    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh. @returns whether
+    /// there were any; the mesh is new then
+    bool
     free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
     /// @throws StateError if a step has folded an element; the elements are freed in the next try
     void
@@ -62,8 +64,12 @@ namespace whipple
     regrid_is_due(const Domain<dim> &domain);
     bool
     guard_touched(const Domain<dim> &domain) const;
+    /// The largest stable time step of the state as it is, into limit_.
+    void
+    find_limit(const Domain<dim> &domain);
+    /// The time step to make, from limit_.
     double
-    choose_time_step(const Domain<dim> &domain, double left);
+    choose_time_step(double left);
     double
     time_left(const Domain<dim> &domain);
     /// @throws StateError, after the record has been closed, if the time step has collapsed.
