@@ -135,6 +135,20 @@ namespace whipple::stability
   }
 
   double
+  Outcome::smallest_pressure() const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < state().material.size(); ++m)
+      for (Index c = 0; c < mesh().n_owned; ++c)
+        if (state().material[m].mass[c] > 0)
+          {
+            const double pressure = derived().material[m].pressure[c];
+            result = std::isnan(pressure) ? -std::numeric_limits<double>::infinity() : std::min(result, pressure);
+          }
+    return result;
+  }
+
+  double
   Outcome::greatest(std::vector<double> MaterialState::*member) const
   {
     double result = -std::numeric_limits<double>::infinity();
