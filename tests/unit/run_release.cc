@@ -62,7 +62,8 @@ namespace
     const FieldLayout   layout(scene);
     const Regridding<2> regridding(scene, layout);
     const Handover<2>   handover(scene, layout, regridding);
-    Domain<2>           domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}};
+    RunState<2>         run{{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}, {}};
+    Domain<2>          &domain = run.domain;
     Ledger<2>           ledger;
     handover.enter(scene.stages[0], nullptr, domain, ledger);
     ASSERT_EQ(domain.view->mesh.n_cells, 1);
@@ -71,17 +72,17 @@ namespace
     const double energy_0 = domain.state.material[0].energy[0];
     for (int k = 0; k < 4; ++k)
       domain.state.velocity[0][domain.view->mesh.cell_node[k]] = k == 0 || k == 3 ? swirl : -swirl;
-    Ledger<2>       books;
-    summary::Stage  record;
-    summary::Counts counts;
-    books.introduce(totals(domain.view->mesh, domain.state, MPI_COMM_SELF));
+    run.books.ledger.introduce(totals(domain.view->mesh, domain.state, MPI_COMM_SELF));
     {
-      Reporter<2> reporter(scene, layout, directory, false, MPI_COMM_SELF);
-      StageLoop<2>(scene, layout, regridding, handover, scene.stages[0], 0, reporter, record)
-          .run(domain, books, counts);
+      Reporter<2>      reporter(scene, layout, directory, false, MPI_COMM_SELF, nullptr);
+      RunClock         clock(run.books.summary.performance, MPI_COMM_SELF);
+      Checkpointing<2> checkpointing(scene, layout, directory, MPI_Wtime(), clock, MPI_COMM_SELF);
+      LastGood<2>      last_good;
+      last_good.keep_books(run.books);
+      StageLoop<2>(scene, layout, regridding, handover, scene.stages[0], reporter, checkpointing, run, last_good).run();
       reporter.flush();
     }
-    EXPECT_GE(counts.releases, 1);
+    EXPECT_GE(run.books.summary.counts.releases, 1);
 
     const std::array<double, 1> density{scene.bodies[0].density}, energy{energy_0 + 0.5 * swirl * swirl};
     std::array<double, 1>       pressure{{0.}}, speed_2{{0.}};

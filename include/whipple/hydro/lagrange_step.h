@@ -36,9 +36,9 @@ namespace whipple
   /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
   /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
   ///
-  /// One object serves one mesh; it owns all work arrays, so a step allocates nothing. What a method does depends on
-  /// its arguments alone, never on what was called before. All methods run over owned and halo cells; only owned cells
-  /// are reported and can throw.
+  /// One object belongs to one mesh; it owns all work arrays, so a step allocates nothing. What a method does depends
+  /// on its arguments alone, never on what was called before. All methods run over owned and halo cells; only owned
+  /// cells are reported and can throw.
   template <int dim>
   class LagrangeStep
   {

@@ -37,9 +37,17 @@ namespace whipple
     void
     refresh(State<dim> &state, Derived &derived);
 
-    /// All that follows from a state.
+    /// All that follows from a state. Node masses are carried: the remap moves them together with the momenta, and the
+    /// sum over the cells is another in the last bits.
     void
     evaluate(const State<dim> &state, Derived &derived);
+
+    /// What it was made for.
+    const FlatMesh<dim> *
+    mesh() const
+    {
+      return &mesh_;
+    }
 
     /// @param derived of this state
     /// @throws StateError on all ranks
