@@ -40,25 +40,26 @@ namespace whipple
     /// fast a pressure drives matter apart whose law has no real sound speed (c = 0 there).
     template <int dim>
     Content
-    content(const State<dim> &state, const StepWork<dim> &work, Index first)
+    content(const State<dim> &state, const Derived &derived, const StepWork<dim> &work, Index first)
     {
       const Pack volume = load(state.volume, first);
       Pack       fastest(0.), occupied(0.);
       auto       any = volume < 0.;
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
-          const MaterialState &material = state.material[m];
-          const auto           felt     = trace::has_state(material, work.material[m], volume, first);
-          any                           = any || felt;
+          const MaterialState   &material = state.material[m];
+          const DerivedMaterial &from     = derived.material[m];
+          const auto             felt     = trace::has_state(material, work.material[m], volume, first);
+          any                             = any || felt;
           occupied += load(material.volume, first);
-          const Pack c = load(material.sound_speed, first), inverse_density = 1. / load(material.density, first);
-          Pack       square = max(c * c, Pack(abs(load(material.pressure, first)) * inverse_density));
-          if (!work.material[m].shear_modulus.empty())
+          const Pack c = load(from.sound_speed, first), inverse_density = 1. / load(material.density, first);
+          Pack       square = max(c * c, Pack(abs(load(from.pressure, first)) * inverse_density));
+          if (!from.shear_modulus.empty())
             {
               Pack solid = inverse_density;
               if (material.has_voids())
                 solid *= 1. - load(material.void_fraction, first);
-              square += 4. / 3. * load(work.material[m].shear_modulus, first) * solid;
+              square += 4. / 3. * load(from.shear_modulus, first) * solid;
             }
           fastest = max(fastest, select(felt, square, Pack(0.)));
         }
@@ -70,14 +71,14 @@ namespace whipple
 
     template <Symmetry symmetry, int dim>
     TimeStepLimit
-    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                        const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                        const StepWork<dim> &work)
     {
       TimeStepLimit limit{unlimited, "sound", none};
       for (Index first = 0; first < mesh.n_owned; first += pack_size)
         {
-          const Content held = content(state, work, first);
+          const Content held = content(state, derived, work, first);
           // cold gas has no sound, but it too must not be squeezed through itself
           const auto there = held.felt && lanes_below(first, mesh.n_owned);
           if (none_of(there))
@@ -118,16 +119,16 @@ namespace whipple
 
   template <int dim>
   TimeStepLimit
-  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                  const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                  const StepWork<dim> &work)
   {
     if (mesh.symmetry == Symmetry::planar)
-      return smallest_time_step<Symmetry::planar, dim>(mesh, state, velocity, parameters, work);
-    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, velocity, parameters, work);
+      return smallest_time_step<Symmetry::planar, dim>(mesh, state, derived, velocity, parameters, work);
+    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, derived, velocity, parameters, work);
   }
 
   template TimeStepLimit
-  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const std::array<std::vector<double>, 2> &,
+  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::array<std::vector<double>, 2> &,
                     const HydroParameters &, const StepWork<2> &);
 } // namespace whipple

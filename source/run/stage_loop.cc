@@ -96,7 +96,7 @@ namespace whipple
     const Domain<dim>   &domain = run_.domain;
     const FlatMesh<dim> &mesh   = domain.view->mesh;
     cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    cycle_->evaluate(run_.domain.state);
+    cycle_->evaluate(run_.domain.state, run_.domain.derived);
     guard_ = Regridding<dim>::guard_cells(mesh);
     cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
   }
@@ -106,7 +106,7 @@ namespace whipple
   StageLoop<dim>::new_mesh()
   {
     use_mesh();
-    cycle_->refresh(run_.domain.state);
+    cycle_->refresh(run_.domain.state, run_.domain.derived);
     run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
     run_.books.progress.since_regrid       = 0;
     run_.books.progress.spare_after_regrid = -1;
@@ -188,16 +188,22 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  StageLoop<dim>::find_limit()
+  {
+    limit_ = cycle_->time_step(run_.domain.state, run_.domain.derived);
+    if (!(limit_.dt > 0))
+      throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
+                       limit_.reason + ")");
+  }
+
+  template <int dim>
   double
   StageLoop<dim>::choose_time_step(double left)
   {
     StageProgress &progress = run_.books.progress;
-    limit_                  = cycle_->time_step(run_.domain.state);
-    if (!(limit_.dt > 0))
-      throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
-                       limit_.reason + ")");
-    double     dt    = limit_.dt;
-    const auto lower = [&](double bound, const char *reason) {
+    double         dt       = limit_.dt;
+    const auto     lower    = [&](double bound, const char *reason) {
       if (bound < dt)
         {
           dt            = bound;
@@ -218,7 +224,7 @@ namespace whipple
   }
 
   template <int dim>
-  void
+  bool
   StageLoop<dim>::release()
   {
     Domain<dim>             &domain = run_.domain;
@@ -228,35 +234,38 @@ namespace whipple
     const GatherReport<dim> all =
         sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
     run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
-    run_.books.summary.counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    const long released = static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    run_.books.summary.counts.releases += released;
+    return released > 0;
   }
 
   template <int dim>
-  void
+  bool
   StageLoop<dim>::free_folding()
   {
     Domain<dim>   &domain       = run_.domain;
     const MPI_Comm communicator = domain.communicator();
     if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
-      return;
+      return false;
     std::vector<Index>       cells  = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
     const std::vector<Index> folded = cells_with_keys(domain.view->mesh, run_.books.progress.folded);
     cells.insert(cells.end(), folded.begin(), folded.end());
     if (max_over_ranks(static_cast<double>(cells.size()), communicator) == 0)
-      return;
+      return false;
     double mass = 0;
     for (const Index c : cells)
       mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
     const KineticLoss      loss   = stage_.lost_kinetic_energy;
     const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
     if (report.broken == 0)
-      return;
+      return false;
     run_.books.summary.counts.breaks += report.broken;
     run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
                            sum_over_ranks(mass, communicator), "g");
     run_.books.ledger.gathered("broken bonds", report.gathered, loss);
     new_mesh();
     check("freeing of elements");
+    return true;
   }
 
   template <int dim>
@@ -307,7 +316,7 @@ namespace whipple
         ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
                     report.gathered.kinetic_loss, "Mbar cm^3");
         ledger.gathered("contact", report.gathered, loss);
-        cycle_->refresh(domain.state);
+        cycle_->refresh(domain.state, domain.derived);
       }
     bool anew = false;
     if (overlap_is_deep(report))
@@ -334,18 +343,28 @@ namespace whipple
   {
     Domain<dim> &domain = run_.domain;
     Ledger<dim> &ledger = run_.books.ledger;
-    const double dt     = choose_time_step(left);
+    find_limit();
     if (stage_.mode == StageMode::lagrangian)
       {
-        free_folding();
-        release();
+        const bool freed = free_folding(), released = release();
+        if (released)
+          cycle_->evaluate(domain.state, domain.derived); // heated: other pressures and strengths
+        if (freed || released)
+          {
+            // no longer than what folding was looked for in, no longer than what the heated pieces allow
+            const AgreedTimeStep before = limit_;
+            find_limit();
+            if (before.dt < limit_.dt)
+              limit_ = before;
+          }
       }
+    const double    dt       = choose_time_step(left);
     const Numerics &numerics = scene_.numerics;
     if (numerics.inject_failure_at_step == run_.record().steps + 1 &&
         run_.books.progress.retries < numerics.injected_failures)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
-    cycle_->advance(domain.state, dt, static_cast<int>(run_.record().steps % dim), ledger);
+    cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), ledger);
     if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
       refuse_folded();
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
@@ -391,7 +410,7 @@ namespace whipple
     if (new_view || !cycle_ || cycle_->mesh() != &run_.domain.view->mesh)
       use_mesh();
     else
-      cycle_->evaluate(run_.domain.state);
+      cycle_->evaluate(run_.domain.state, run_.domain.derived);
     progress.ceiling                  = retry_factor * tried_dt_;
     progress.failed_until             = until;
     progress.retries                  = failed.retries;

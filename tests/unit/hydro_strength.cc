@@ -62,8 +62,7 @@ namespace
     set_velocity(mesh, state, [](double, double y) { return Vector<2>{{1e-3 * y, 0.}}; });
     LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::transmitting), {});
     step.update_node_mass(state);
-    step.update_pressure(state);
-    step.advance(state, 0.01);
+    advance(step, state, 0.01);
     // cells whose nodes no free side has touched
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
@@ -83,8 +82,7 @@ namespace
     set_velocity(mesh, state, [](double r, double z) { return Vector<2>{{-0.5 * r, z}}; });
     LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::transmitting), {});
     step.update_node_mass(state);
-    step.update_pressure(state);
-    const auto report = step.advance(state, 0.02);
+    const auto report = advance(step, state, 0.02);
     EXPECT_GT(report.plastic_work, 0.);
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
@@ -110,8 +108,7 @@ namespace
         }
       LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::reflecting), {});
       step.update_node_mass(state);
-      step.update_pressure(state);
-      step.advance(state, 1e-4);
+      advance(step, state, 1e-4);
       double largest = 0;
       for (Index node = 0; node < mesh.n_nodes; ++node)
         if (mesh.node_side[node] == 0)
@@ -141,7 +138,7 @@ namespace
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.velocity, b.velocity);
     EXPECT_EQ(a.material[0].energy, b.material[0].energy);
-    EXPECT_EQ(a.material[0].pressure, b.material[0].pressure);
+    EXPECT_EQ(evaluate(step_a, a).material[0].pressure, evaluate(step_b, b).material[0].pressure);
     for (const double phi : a.material[0].void_fraction)
       EXPECT_EQ(phi, 0.);
   }

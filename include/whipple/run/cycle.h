@@ -32,14 +32,15 @@ namespace whipple
     Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
           const Halo<dim> &halo);
 
-    /// Fill what a new mesh (regrid or projection) leaves open: node masses, and what evaluate() fills.
+    /// Node masses of a state whose cells or nodes are new (after a regrid or projection), and all that follows from
+    /// it.
     void
-    refresh(State<dim> &state) const;
+    refresh(State<dim> &state, Derived &derived);
 
-    /// Fill what is derived from the carried state: pressures, sound speeds. Node masses are carried from then on: the
-    /// remap moves them together with the momenta, and the sum over the cells is another in the last bits.
+    /// All that follows from a state. Node masses are carried: the remap moves them together with the momenta, and the
+    /// sum over the cells is another in the last bits.
     void
-    evaluate(State<dim> &state) const;
+    evaluate(const State<dim> &state, Derived &derived);
 
     /// What it was made for.
     const FlatMesh<dim> *
@@ -48,18 +49,28 @@ namespace whipple
       return &mesh_;
     }
 
+    /// @param derived of this state
+    /// @throws StateError on all ranks
     AgreedTimeStep
-    time_step(const State<dim> &state) const;
+    time_step(const State<dim> &state, const Derived &derived);
 
     /// Advance by dt and enter into the ledger what left and what was converted.
+    /// @param derived of the state; afterwards of the new one
     /// @param sweep_first axis of the first sweep of the remap; alternate it.
-    /// @throws StateError on all ranks; the state is then of no further use.
+    /// @throws StateError on all ranks, also what a pass of an effect throws on one of them; state and derived are then
+    /// of no further use.
     void
-    advance(State<dim> &state, double dt, int sweep_first, Ledger<dim> &ledger);
+    advance(State<dim> &state, Derived &derived, double dt, int sweep_first, Ledger<dim> &ledger);
 
   private:
+    /// The passes of the effects, each with pressures of the state it gets; they are those of the state afterwards.
+    void
+    run_passes(State<dim> &state, Derived &derived, double dt);
     void
     exchange(State<dim> &state) const;
+    /// Pressures and sound speeds in the halo: where those of the owned cells need no second evaluation.
+    void
+    exchange_pressures(Derived &derived) const;
     void
     book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const;
 

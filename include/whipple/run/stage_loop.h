@@ -50,13 +50,15 @@ namespace whipple
     advance(double left);
     void
     step(double left);
-    void
+    /// Stop fragments that are about to fold from deforming. @returns whether any rank has changed the state
+    bool
     release();
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
     bonds_break();
-    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
-    void
+    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh. @returns whether
+    /// there were any; the mesh is new then
+    bool
     free_folding();
     /// @throws StateError if a step has folded an element; the elements are freed in the next try
     void
@@ -68,6 +70,10 @@ namespace whipple
     regrid_is_due();
     bool
     guard_touched() const;
+    /// The largest stable time step of the state as it is, into limit_.
+    void
+    find_limit();
+    /// The time step to make, from limit_.
     double
     choose_time_step(double left);
     double
