@@ -175,6 +175,8 @@ set(WHIPPLE_DEALII
     source/ledger/ledger.cc
     source/ledger/totals.cc
     source/mesh/forest.cc
+    source/mesh/mesh_image.cc
+    source/output/checksum.cc
     source/output/duration.cc
     source/output/field_output.cc
     source/output/json_value.cc
@@ -190,16 +192,25 @@ set(WHIPPLE_DEALII
     source/refinement/level_need.cc
     source/refinement/smoothness.cc
     source/run/bond_breaking.cc
+    source/run/books_cbor.cc
+    source/run/checkpoint.cc
+    source/run/checkpoint_file.cc
+    source/run/checkpoint_store.cc
+    source/run/checkpointing.cc
     source/run/contact.cc
     source/run/contact_search.cc
     source/run/cycle.cc
     source/run/domain.cc
     source/run/handover.cc
+    source/run/interruption.cc
+    source/run/last_good.cc
     source/run/regridding.cc
     source/run/reporter.cc
+    source/run/resume.cc
     source/run/simulation.cc
     source/run/stage_loop.cc
     source/run/state_guard.cc
+    source/run/state_rows.cc
     source/run/time_step_history.cc
     source/scene/bodies_section.cc
     source/scene/check_bodies.cc

@@ -23,6 +23,7 @@ namespace whipple::command_line
       --output DIR                  where results go; default output/<name of the scene>
       --validate                    check the scene and stop
       --effects-report              say which effects matter in the scene, and stop
+  whipple run --resume DIR          go on with a run that was stopped; takes -n and --set for what may change
   whipple study STUDY.prm [options] run a scene many times: errors, orders, error bars, and what they cost
       -n, --set, --output, --validate as above
       --tolerance 'RESULT = 2 %'    find and run the cheapest setting that is so accurate

@@ -11,7 +11,7 @@ namespace whipple
 {
   namespace
   {
-    /// Gauss-Legendre rule with four points on [0, 1] (Abramowitz & Stegun, table 25.4).
+    /// Gauss-Legendre rule with four points on [0, 1] ([Abramowitz1964], table 25.4).
     constexpr int    gauss = 4;
     constexpr double outer = 0.861136311594052575224, inner = 0.339981043584856264803;
     constexpr double gauss_point[gauss] = {0.5 - 0.5 * outer, 0.5 - 0.5 * inner, 0.5 + 0.5 * inner, 0.5 + 0.5 * outer};

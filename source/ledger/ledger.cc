@@ -17,29 +17,29 @@ namespace whipple
   void
   Ledger<dim>::introduce(const ConservedTotals<dim> &amounts)
   {
-    introduced_ += amounts;
-    momentum_scale_ += std::sqrt(2. * amounts.mass * amounts.kinetic_energy);
+    books_.introduced += amounts;
+    books_.momentum_scale += std::sqrt(2. * amounts.mass * amounts.kinetic_energy);
   }
 
   template <int dim>
   void
   Ledger<dim>::leave(const ConservedTotals<dim> &amounts)
   {
-    left_ += amounts;
+    books_.left += amounts;
   }
 
   template <int dim>
   void
   Ledger<dim>::drop(const std::string &reason, const ConservedTotals<dim> &amounts)
   {
-    dropped_[reason] += amounts;
+    books_.dropped[reason] += amounts;
   }
 
   template <int dim>
   void
   Ledger<dim>::convert(const std::string &cause, double energy)
   {
-    conversions_[cause] += energy;
+    books_.conversions[cause] += energy;
   }
 
   template <int dim>
@@ -48,7 +48,7 @@ namespace whipple
   {
     if (number == 0)
       return;
-    Event &event = events_[what];
+    Event &event = books_.events[what];
     event.number += number;
     event.size += size;
     event.unit = unit;
@@ -70,8 +70,8 @@ namespace whipple
   ConservedTotals<dim>
   Ledger<dim>::gone() const
   {
-    ConservedTotals<dim> sum = left_;
-    for (const auto &[reason, amounts] : dropped_)
+    ConservedTotals<dim> sum = books_.left;
+    for (const auto &[reason, amounts] : books_.dropped)
       sum += amounts;
     return sum;
   }
@@ -81,8 +81,8 @@ namespace whipple
   Ledger<dim>::energy_scale() const
   {
     // pistons bring in more than bodies at rest; of bodies at rest round-off alone moves anything
-    return std::max({introduced_.kinetic_energy, std::abs(introduced_.internal_energy), std::abs(gone().total_energy()),
-                     introduced_.mass * slow * slow});
+    return std::max({books_.introduced.kinetic_energy, std::abs(books_.introduced.internal_energy),
+                     std::abs(gone().total_energy()), books_.introduced.mass * slow * slow});
   }
 
   template <int dim>
@@ -92,12 +92,14 @@ namespace whipple
     const ConservedTotals<dim> gone = this->gone();
     const auto relative = [](double difference, double scale) { return scale > 0 ? difference / scale : difference; };
     Closure    result;
-    result.mass = relative(present.mass + gone.mass - introduced_.mass, introduced_.mass);
+    result.mass = relative(present.mass + gone.mass - books_.introduced.mass, books_.introduced.mass);
     // bodies at rest that gas or deposited energy sets in motion have no momentum scale but that of the energy
-    const double momentum_scale = std::max(momentum_scale_, std::sqrt(2. * introduced_.mass * energy_scale()));
+    const double momentum_scale =
+        std::max(books_.momentum_scale, std::sqrt(2. * books_.introduced.mass * energy_scale()));
     result.axial_momentum =
-        relative(present.momentum[axial] + gone.momentum[axial] - introduced_.momentum[axial], momentum_scale);
-    result.energy = relative(present.total_energy() + gone.total_energy() - introduced_.total_energy(), energy_scale());
+        relative(present.momentum[axial] + gone.momentum[axial] - books_.introduced.momentum[axial], momentum_scale);
+    result.energy =
+        relative(present.total_energy() + gone.total_energy() - books_.introduced.total_energy(), energy_scale());
     return result;
   }
 
@@ -136,10 +138,10 @@ namespace whipple
            << " of what was introduced, allowed is " << tolerance;
       throw ConservationError(text.str());
     };
-    judge("mass", last_.mass, now.mass);
-    judge("axial momentum", last_.axial_momentum, now.axial_momentum);
-    judge("total energy", last_.energy, now.energy);
-    last_ = now;
+    judge("mass", books_.last.mass, now.mass);
+    judge("axial momentum", books_.last.axial_momentum, now.axial_momentum);
+    judge("total energy", books_.last.energy, now.energy);
+    books_.last = now;
   }
 
   template class Ledger<2>;

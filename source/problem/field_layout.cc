@@ -18,6 +18,24 @@ namespace whipple
           least = std::min(least, body.density);
       return trace::share * least;
     }
+
+    /// The carried arrays of a state's cells, in an order that is always the same.
+    template <typename Array, typename AnyState>
+    std::vector<Array *>
+    arrays_of(AnyState &state)
+    {
+      std::vector<Array *> arrays{&state.volume};
+      for (auto &m : state.material)
+        {
+          for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy})
+            arrays.push_back(array);
+          if (m.has_voids())
+            arrays.push_back(&m.void_fraction);
+          for (auto &field : m.fields)
+            arrays.push_back(&field.value);
+        }
+      return arrays;
+    }
   } // namespace
 
   template <int dim>
@@ -95,17 +113,14 @@ namespace whipple
   std::vector<std::vector<double> *>
   FieldLayout::cell_arrays(State<dim> &state) const
   {
-    std::vector<std::vector<double> *> arrays{&state.volume};
-    for (MaterialState &m : state.material)
-      {
-        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy})
-          arrays.push_back(array);
-        if (m.has_voids())
-          arrays.push_back(&m.void_fraction);
-        for (Field &field : m.fields)
-          arrays.push_back(&field.value);
-      }
-    return arrays;
+    return arrays_of<std::vector<double>>(state);
+  }
+
+  template <int dim>
+  std::vector<const std::vector<double> *>
+  FieldLayout::cell_arrays(const State<dim> &state) const
+  {
+    return arrays_of<const std::vector<double>>(state);
   }
 
   template FieldLayout::FieldLayout(const Scene<2> &);
@@ -113,4 +128,6 @@ namespace whipple
   FieldLayout::allocate(const FlatMesh<2> &) const;
   template std::vector<std::vector<double> *>
   FieldLayout::cell_arrays(State<2> &) const;
+  template std::vector<const std::vector<double> *>
+  FieldLayout::cell_arrays(const State<2> &) const;
 } // namespace whipple

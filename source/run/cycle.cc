@@ -54,6 +54,13 @@ namespace whipple
   Cycle<dim>::refresh(State<dim> &state) const
   {
     lagrange_.update_node_mass(state);
+    evaluate(state);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::evaluate(State<dim> &state) const
+  {
     lagrange_.update_pressure(state);
   }
 

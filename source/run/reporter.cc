@@ -52,12 +52,12 @@ namespace whipple
 
   template <int dim>
   Reporter<dim>::Reporter(const Scene<dim> &scene, const FieldLayout &layout, const std::string &directory, bool live,
-                          MPI_Comm communicator)
+                          MPI_Comm communicator, const RunBooks<dim> *resumed)
     : scene_(scene)
     , layout_(layout)
     , directory_(directory)
-    , log_(directory, communicator, live)
-    , statistics_(directory, communicator)
+    , log_(directory, communicator, live, resumed ? RunLog::Earlier::kept : RunLog::Earlier::replaced)
+    , statistics_(directory, communicator, resumed ? resumed->report.statistics_bytes : 0)
     , fields_(directory, layout.material_names, FieldOutputOptions{.hdf5 = scene.output.hdf5, .vtu = scene.output.vtu},
               communicator, [&layout](const State<dim> &state, const std::vector<Index> &cells) {
                 return phase_fields(layout, state, cells);
@@ -66,6 +66,12 @@ namespace whipple
     log_.banner();
     if (!scene.title.empty())
       log_.info(scene.title);
+    if (resumed)
+      {
+        log_.count_from(resumed->summary.counts.warnings);
+        fields_.go_on(resumed->report.fields);
+        return;
+      }
     log_.info("effects (what, whether, number, why):");
     for (const EffectVerdict &verdict : scene.effect_verdicts)
       log_.info(effect_line(verdict));
@@ -75,30 +81,34 @@ namespace whipple
 
   template <int dim>
   void
-  Reporter<dim>::write_fields(const Stage &stage, const Domain<dim> &domain)
+  Reporter<dim>::write_fields(const Stage &stage, RunState<dim> &run)
   {
-    if (scene_.output.fields_interval)
-      fields_.write(domain.view->mesh, domain.state, stage.name);
+    if (!scene_.output.fields_interval)
+      return;
+    fields_.write(run.domain.view->mesh, run.domain.state, stage.name);
+    run.books.report.fields = fields_.series();
   }
 
   template <int dim>
   void
-  Reporter<dim>::stage_begins(const Stage &stage, int number, const Domain<dim> &domain)
+  Reporter<dim>::stage_begins(const Stage &stage, RunState<dim> &run)
   {
-    log_.info(format("stage %d: %s (%s) from %.6g us", number + 1, stage.name.c_str(),
-                     stage.mode == StageMode::eulerian ? "eulerian" : "lagrangian", domain.state.time));
-    write_fields(stage, domain);
+    const double time = run.domain.state.time;
+    log_.info(format("stage %zu: %s (%s) from %.6g us", run.books.stage + 1, stage.name.c_str(),
+                     stage.mode == StageMode::eulerian ? "eulerian" : "lagrangian", time));
+    write_fields(stage, run);
     if (scene_.output.fields_interval)
-      next_fields_ = domain.state.time + *scene_.output.fields_interval;
+      run.books.report.next_fields = time + *scene_.output.fields_interval;
   }
 
   template <int dim>
   void
-  Reporter<dim>::step_done(const StepNews &news, const Domain<dim> &domain, const Ledger<dim> &ledger,
-                           const ConservedTotals<dim> &present)
+  Reporter<dim>::step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run)
   {
-    const double time = domain.state.time;
-    Progress     progress;
+    const double       time   = run.domain.state.time;
+    const Ledger<dim> &ledger = run.books.ledger;
+    ReportProgress    &report = run.books.report;
+    Progress           progress;
     progress.stage     = news.stage->name;
     progress.step      = news.step;
     progress.time      = time;
@@ -108,7 +118,7 @@ namespace whipple
     progress.fraction  = news.fraction;
     log_.progress(progress);
 
-    if (time >= next_statistics_)
+    if (time >= report.next_statistics)
       {
         const auto converted = [&](const char *cause) {
           const auto found = ledger.conversions().find(cause);
@@ -116,7 +126,7 @@ namespace whipple
         };
         const auto                            closure = ledger.closure(present);
         const std::array<StatisticsEntry, 20> row{{{"time [us]", time},
-                                                   {"stage", news.stage_number + 1.},
+                                                   {"stage", static_cast<double>(run.books.stage + 1)},
                                                    {"step", static_cast<double>(news.step)},
                                                    {"time step [us]", news.dt},
                                                    {"active cells", static_cast<double>(news.cells)},
@@ -136,30 +146,38 @@ namespace whipple
                                                    {"set at axis 0 [cm]", news.limit->place[0]},
                                                    {"set at axis 1 [cm]", news.limit->place[1]}}};
         statistics_.write(row);
-        next_statistics_ = time + scene_.output.statistics_interval;
+        report.next_statistics = time + scene_.output.statistics_interval;
       }
-    if (scene_.output.fields_interval && time >= next_fields_)
+    if (scene_.output.fields_interval && time >= report.next_fields)
       {
-        write_fields(*news.stage, domain);
-        next_fields_ += *scene_.output.fields_interval;
+        write_fields(*news.stage, run);
+        report.next_fields += *scene_.output.fields_interval;
       }
   }
 
   template <int dim>
   void
-  Reporter<dim>::steps_undone(double time)
+  Reporter<dim>::steps_stand(RunBooks<dim> &books)
+  {
+    statistics_.keep();
+    books.report.statistics_bytes = statistics_.kept_bytes();
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::steps_undone(const RunBooks<dim> &books)
   {
     statistics_.forget();
-    next_statistics_ = std::min(next_statistics_, time);
+    fields_.go_on(books.report.fields);
   }
 
   template <int dim>
   void
-  Reporter<dim>::warn_of_events(const Stage &stage, const Ledger<dim> &ledger)
+  Reporter<dim>::warn_of_events(const Stage &stage, RunBooks<dim> &books)
   {
-    for (const auto &[what, event] : ledger.events())
+    for (const auto &[what, event] : books.ledger.events())
       {
-        Event &warned = events_warned_[what];
+        Event &warned = books.report.events_warned[what];
         if (event.number > warned.number)
           log_.warning(format("stage %s: %s, %.0f times, %.3g %s in all", stage.name.c_str(), what.c_str(),
                               event.number - warned.number, event.size - warned.size, event.unit.c_str()));
@@ -169,9 +187,11 @@ namespace whipple
 
   template <int dim>
   void
-  Reporter<dim>::stage_ends(const Stage &stage, const Domain<dim> &domain, const Ledger<dim> &ledger)
+  Reporter<dim>::stage_ends(const Stage &stage, RunState<dim> &run)
   {
-    write_fields(stage, domain);
+    const Domain<dim> &domain = run.domain;
+    const Ledger<dim> &ledger = run.books.ledger;
+    write_fields(stage, run);
     const MPI_Comm             communicator = domain.communicator();
     const ConservedTotals<dim> present      = totals(domain.view->mesh, domain.state, communicator);
     log_.info(format("ledger at %.6g us, end of %s", domain.state.time, stage.name.c_str()));
@@ -195,7 +215,7 @@ namespace whipple
     const auto closure = ledger.closure(present);
     log_.info(format("  closes to %.1e (mass), %.1e (axial momentum), %.1e (total energy)", closure.mass,
                      closure.axial_momentum, closure.energy));
-    warn_of_events(stage, ledger);
+    warn_of_events(stage, run.books);
   }
 
   template <int dim>
@@ -213,10 +233,10 @@ namespace whipple
 
   template <int dim>
   void
-  Reporter<dim>::failed(const Stage &stage, const Domain<dim> &domain, const Ledger<dim> &ledger,
-                        const std::string &reason)
+  Reporter<dim>::failed(const Stage &stage, RunState<dim> &run, const std::string &reason)
   {
-    warn_of_events(stage, ledger);
+    const Domain<dim> &domain = run.domain;
+    warn_of_events(stage, run.books);
     log_.warning(reason);
     write_last_good_state(directory_, domain.view->mesh, domain.state, layout_.material_names, stage.name, reason,
                           domain.communicator());

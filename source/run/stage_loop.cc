@@ -2,6 +2,8 @@
 #include <whipple/diagnostics/debris_measure.h>
 #include <whipple/hydro/folding.h>
 #include <whipple/mesh/collective.h>
+#include <whipple/mesh/gather.h>
+#include <whipple/mesh/key_index.h>
 #include <whipple/run/bond_breaking.h>
 #include <whipple/run/stage_loop.h>
 
@@ -39,6 +41,21 @@ namespace whipple
                          [](const MaterialState &material) { return material.has_voids(); });
     }
 
+    /// Owned cells of these keys.
+    template <int dim>
+    std::vector<Index>
+    cells_with_keys(const FlatMesh<dim> &mesh, const std::vector<CellKey> &keys)
+    {
+      std::vector<Index> cells;
+      if (keys.empty())
+        return cells;
+      const KeyIndex wanted(keys);
+      for (Index c = 0; c < mesh.n_owned; ++c)
+        if (wanted.contains(mesh.key[c]))
+          cells.push_back(c);
+      return cells;
+    }
+
     /// The reflecting sides, where they are planes of the lattice.
     template <int dim>
     RigidWalls<dim>
@@ -56,97 +73,121 @@ namespace whipple
 
   template <int dim>
   StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
-                            const Handover<dim> &handover, const Stage &stage, int number, Reporter<dim> &reporter,
-                            summary::Stage &record)
+                            const Handover<dim> &handover, const Stage &stage, Reporter<dim> &reporter,
+                            Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good)
     : scene_(scene)
     , layout_(layout)
     , regridding_(regridding)
     , handover_(handover)
     , stage_(stage)
-    , number_(number)
     , reporter_(reporter)
-    , record_(record)
+    , checkpointing_(checkpointing)
+    , run_(run)
+    , last_good_(last_good)
     , walls_(rigid_walls(scene))
     , state_guard_(scene, layout)
-    , wall_start_(MPI_Wtime())
   {
   }
 
   template <int dim>
   void
-  StageLoop<dim>::new_mesh(Domain<dim> &domain)
+  StageLoop<dim>::use_mesh()
   {
-    const FlatMesh<dim> &mesh = domain.view->mesh;
-    cycle_                    = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    cycle_->refresh(domain.state);
-    guard_                   = Regridding<dim>::guard_cells(mesh);
-    cells_                   = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
-    record_.active_cells_max = std::max(record_.active_cells_max, cells_);
-    since_regrid_            = 0;
-    spare_after_regrid_      = -1;
+    const Domain<dim>   &domain = run_.domain;
+    const FlatMesh<dim> &mesh   = domain.view->mesh;
+    cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
+    cycle_->evaluate(run_.domain.state);
+    guard_ = Regridding<dim>::guard_cells(mesh);
+    cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
   }
 
   template <int dim>
   void
-  StageLoop<dim>::regrid(Domain<dim> &domain, Ledger<dim> &ledger)
+  StageLoop<dim>::new_mesh()
+  {
+    use_mesh();
+    cycle_->refresh(run_.domain.state);
+    run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
+    run_.books.progress.since_regrid       = 0;
+    run_.books.progress.spare_after_regrid = -1;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::check(const std::string &event)
+  {
+    const Domain<dim> &domain = run_.domain;
+    run_.books.ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), event, round_off);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::regrid()
   {
     const KineticLoss loss = stage_.lost_kinetic_energy;
-    ledger.gathered("regrid", regridding_.regrid(domain, loss), loss);
-    new_mesh(domain);
-    ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "a regrid", round_off);
+    run_.books.ledger.gathered("regrid", regridding_.regrid(run_.domain, loss), loss);
+    new_mesh();
+    check("a regrid");
   }
 
   template <int dim>
   bool
-  StageLoop<dim>::bonds_break(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  StageLoop<dim>::bonds_break()
   {
-    if (stage_.cohesion != Cohesion::graded || since_regrid_ < scene_.mesh.regrid_steps)
+    StageProgress &progress = run_.books.progress;
+    if (stage_.cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
       return false;
-    since_regrid_                 = 0;
+    progress.since_regrid         = 0;
     const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, domain);
+    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, run_.domain);
     if (report.broken == 0)
       return false;
-    counts.breaks += report.broken;
-    ledger.gathered("broken bonds", report.gathered, loss);
-    new_mesh(domain);
-    ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "breaking of bonds", round_off);
+    run_.books.summary.counts.breaks += report.broken;
+    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
+    new_mesh();
+    check("breaking of bonds");
     return true;
   }
 
   template <int dim>
   bool
-  StageLoop<dim>::guard_touched(const Domain<dim> &domain) const
+  StageLoop<dim>::guard_touched() const
   {
     int touched = 0;
-    for (const MaterialState &m : domain.state.material)
+    for (const MaterialState &m : run_.domain.state.material)
       for (const Index c : guard_)
         touched = touched || m.mass[c] > 0;
-    MPI_Allreduce(MPI_IN_PLACE, &touched, 1, MPI_INT, MPI_MAX, domain.communicator());
+    MPI_Allreduce(MPI_IN_PLACE, &touched, 1, MPI_INT, MPI_MAX, run_.domain.communicator());
     return touched;
   }
 
   template <int dim>
   bool
-  StageLoop<dim>::regrid_is_due(const Domain<dim> &domain)
+  StageLoop<dim>::regrid_is_due()
   {
-    if (since_regrid_ < scene_.mesh.regrid_steps)
+    StageProgress &progress = run_.books.progress;
+    if (progress.since_regrid < scene_.mesh.regrid_steps)
       return false;
-    since_regrid_                           = 0; // or ask again after as many steps
-    const typename Regridding<dim>::Fit fit = regridding_.fit(domain);
+    progress.since_regrid                   = 0; // or ask again after as many steps
+    const typename Regridding<dim>::Fit fit = regridding_.fit(run_.domain);
     // balance between neighbours keeps some cells finer than needed: only what is more than after the last regrid
     // counts
-    if (spare_after_regrid_ < 0)
-      spare_after_regrid_ = fit.spare;
-    return !fit.serves || fit.spare > spare_after_regrid_ + worthwhile_spare;
+    if (progress.spare_after_regrid < 0)
+      progress.spare_after_regrid = fit.spare;
+    return !fit.serves || fit.spare > progress.spare_after_regrid + worthwhile_spare;
   }
 
   template <int dim>
   double
-  StageLoop<dim>::time_left(const Domain<dim> &domain)
+  StageLoop<dim>::time_left()
   {
+    const Domain<dim> &domain = run_.domain;
+    summary::Stage    &record = run_.record();
     if (stage_.end.kind != StageEnd::Kind::leading_edge)
-      return end_time_ - domain.state.time > 1e-9 * record_.end_us ? end_time_ - domain.state.time : 0.;
+      {
+        const double left = run_.books.progress.end_time - domain.state.time;
+        return left > 1e-9 * record.end_us ? left : 0.;
+      }
 
     // time until the fastest corner could bridge the gap; a hundredth of a cell short of the plate is there
     const double front    = extent(scene_.bodies[stage_.end.body].shape).lower[1];
@@ -162,15 +203,16 @@ namespace whipple
     if (fastest <= 0)
       throw StateError("stage '" + stage_.name + "' waits for a leading edge, but nothing moves towards body '" +
                        scene_.bodies[stage_.end.body].name + "', " + std::to_string(gap) + " cm away");
-    record_.end_us = domain.state.time + gap / fastest;
+    record.end_us = domain.state.time + gap / fastest;
     return std::max(gap, 0.1 * scene_.lattice.spacing) / fastest;
   }
 
   template <int dim>
   double
-  StageLoop<dim>::choose_time_step(const Domain<dim> &domain, double left)
+  StageLoop<dim>::choose_time_step(double left)
   {
-    limit_ = cycle_->time_step(domain.state);
+    StageProgress &progress = run_.books.progress;
+    limit_                  = cycle_->time_step(run_.domain.state);
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
@@ -183,12 +225,12 @@ namespace whipple
         }
     };
     // the first step is a full one: a short one delays the waves from a discontinuity (doc/theory/lagrange_step.md)
-    if (last_dt_ > 0)
-      lower(scene_.numerics.growth_limit * last_dt_, "growth");
+    if (progress.last_time_step > 0)
+      lower(scene_.numerics.growth_limit * progress.last_time_step, "growth");
     lower(stage_.max_time_step, "scene");
-    lower(ceiling_, "retry");
-    last_dt_ = dt;
-    // two equal steps rather than a full one and a splinter
+    lower(progress.ceiling, "retry");
+    progress.last_time_step = dt;
+    // two equal steps rather than a full one and a very short one
     if (left < 2. * dt)
       lower(left <= dt ? left : 0.5 * left, "end of stage");
     tried_dt_ = dt;
@@ -197,25 +239,30 @@ namespace whipple
 
   template <int dim>
   void
-  StageLoop<dim>::release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  StageLoop<dim>::release()
   {
+    Domain<dim>             &domain = run_.domain;
+    const std::vector<Index> folded = cells_with_keys(domain.view->mesh, run_.books.progress.folded);
     const ReleaseReport<dim> report =
-        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, folded_);
+        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, folded);
     const GatherReport<dim> all =
         sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
-    ledger.gathered("released fragments", all, KineticLoss::heat);
-    counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
+    run_.books.summary.counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
   }
 
   template <int dim>
   void
-  StageLoop<dim>::free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  StageLoop<dim>::free_folding()
   {
+    Domain<dim>   &domain       = run_.domain;
+    const MPI_Comm communicator = domain.communicator();
     if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
       return;
-    std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
-    cells.insert(cells.end(), folded_.begin(), folded_.end());
-    if (max_over_ranks(static_cast<double>(cells.size()), domain.communicator()) == 0)
+    std::vector<Index>       cells  = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
+    const std::vector<Index> folded = cells_with_keys(domain.view->mesh, run_.books.progress.folded);
+    cells.insert(cells.end(), folded.begin(), folded.end());
+    if (max_over_ranks(static_cast<double>(cells.size()), communicator) == 0)
       return;
     double mass = 0;
     for (const Index c : cells)
@@ -224,38 +271,39 @@ namespace whipple
     const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
     if (report.broken == 0)
       return;
-    counts.breaks += report.broken;
-    ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
-                sum_over_ranks(mass, domain.communicator()), "g");
-    ledger.gathered("broken bonds", report.gathered, loss);
-    new_mesh(domain);
-    ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "freeing of elements", round_off);
-    take_snapshot(domain, ledger); // of the new nodes
+    run_.books.summary.counts.breaks += report.broken;
+    run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
+                           sum_over_ranks(mass, communicator), "g");
+    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
+    new_mesh();
+    check("freeing of elements");
   }
 
   template <int dim>
   void
-  StageLoop<dim>::refuse_folded(const Domain<dim> &domain)
+  StageLoop<dim>::refuse_folded()
   {
-    const std::vector<Index> cells = folded_cells(domain.view->mesh, domain.state);
-    double                   fresh = 0;
+    const Domain<dim>       &domain   = run_.domain;
+    const FlatMesh<dim>     &mesh     = domain.view->mesh;
+    StageProgress           &progress = run_.books.progress;
+    const std::vector<Index> cells    = folded_cells(mesh, domain.state);
+    std::vector<CellKey>     keys;
     for (const Index c : cells)
-      if (std::find(folded_.begin(), folded_.end(), c) == folded_.end())
-        {
-          folded_.push_back(c);
-          ++fresh;
-        }
-    const double number = sum_over_ranks(static_cast<double>(cells.size()), domain.communicator());
+      keys.push_back(mesh.key[c]);
+    keys                     = gather_all<CellKey>(domain.communicator(), keys).entry;
+    const std::size_t number = keys.size(), known = progress.folded.size();
     if (number == 0)
       return;
-    if (sum_over_ranks(fresh, domain.communicator()) > 0)
-      retries_ = 0; // what has folded now will be free in the next try: not the same again
+    for (const CellKey key : keys)
+      if (std::find(progress.folded.begin(), progress.folded.end(), key) == progress.folded.end())
+        progress.folded.push_back(key);
+    if (progress.folded.size() > known)
+      progress.retries = 0; // what has folded now will be free in the next try: not the same again
     agree(domain.communicator(), [&] {
       if (cells.empty())
         return;
-      const FlatMesh<dim> &mesh = domain.view->mesh;
-      const Index          n    = mesh.cell_node[cells[0] * FlatMesh<dim>::corners];
-      throw StateError("the step folded " + std::to_string(static_cast<long>(number)) + " elements, one of them at (" +
+      const Index n = mesh.cell_node[cells[0] * FlatMesh<dim>::corners];
+      throw StateError("the step folded " + std::to_string(number) + " elements, one of them at (" +
                        std::to_string(domain.state.position[0][n]) + ", " +
                        std::to_string(domain.state.position[1][n]) + ") cm");
     });
@@ -263,13 +311,17 @@ namespace whipple
 
   template <int dim>
   bool
-  StageLoop<dim>::meet(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  StageLoop<dim>::meet()
   {
-    if (!contacts_.due(record_.steps) || !holds_pieces(domain.state))
+    StageProgress &progress = run_.books.progress;
+    Ledger<dim>   &ledger   = run_.books.ledger;
+    Domain<dim>   &domain   = run_.domain;
+    const long     steps    = run_.record().steps;
+    if (!progress.contacts.due(steps) || !holds_pieces(domain.state))
       return false;
     const KineticLoss        loss   = stage_.lost_kinetic_energy;
     const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
-    contacts_.looked(record_.steps, last_dt_, report);
+    progress.contacts.looked(steps, progress.last_time_step, report);
     if (report.joined > 0)
       {
         ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
@@ -287,105 +339,134 @@ namespace whipple
       }
     if (anew)
       {
-        ++counts.rezones;
-        new_mesh(domain);
-        folded_.clear();
+        ++run_.books.summary.counts.rezones;
+        new_mesh();
+        progress.folded.clear();
       }
     if (report.joined > 0 || anew)
-      ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "contact of elements", round_off);
+      check("contact of elements");
     return anew;
   }
 
   template <int dim>
   void
-  StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
+  StageLoop<dim>::step(double left)
   {
-    const double dt = choose_time_step(domain, left);
+    Domain<dim> &domain = run_.domain;
+    Ledger<dim> &ledger = run_.books.ledger;
+    const double dt     = choose_time_step(left);
     if (stage_.mode == StageMode::lagrangian)
       {
-        free_folding(domain, ledger, counts);
-        release(domain, ledger, counts);
+        free_folding();
+        release();
       }
-    if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
+    const Numerics &numerics = scene_.numerics;
+    if (numerics.inject_failure_at_step == run_.record().steps + 1 &&
+        run_.books.progress.retries < numerics.injected_failures)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
-    cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
+    cycle_->advance(domain.state, dt, static_cast<int>(run_.record().steps % dim), ledger);
     if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
-      refuse_folded(domain);
+      refuse_folded();
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     ledger.check(present, "a step", round_off);
-    if ((record_.steps + 1) % snapshot_steps == 0)
+    summary::Stage &record = run_.record();
+    if ((record.steps + 1) % snapshot_steps == 0)
       state_guard_.check(domain, ledger.energy_scale(), ledger);
 
-    ++record_.steps;
-    history_.add(last_dt_);
-    ++since_regrid_;
-    ++record_.dt_limits[limit_.reason];
-    record_.cell_steps += cells_;
-    const double fraction = (domain.state.time - record_.start_us) / (record_.end_us - record_.start_us);
-    reporter_.step_done({&stage_, number_, record_.steps, dt, &limit_, cells_, fraction}, domain, ledger, present);
+    ++record.steps;
+    run_.books.progress.history.add(run_.books.progress.last_time_step);
+    ++run_.books.progress.since_regrid;
+    ++record.dt_limits[limit_.reason];
+    record.cell_steps += static_cast<double>(cells_);
+    const double fraction = (domain.state.time - record.start_us) / (record.end_us - record.start_us);
+    reporter_.step_done({&stage_, record.steps, dt, &limit_, cells_, fraction}, present, run_);
   }
 
   template <int dim>
   void
-  StageLoop<dim>::go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error)
+  StageLoop<dim>::advance(double left)
   {
-    // every retry is really smaller than what failed, until the time has passed at which it did
-    ceiling_      = retry_factor * tried_dt_;
-    failed_until_ = domain.state.time + tried_dt_;
-    domain.state  = snapshot_.state;
-    ledger        = snapshot_.ledger;
-    record_.cell_steps -= static_cast<double>(cells_) * (record_.steps - snapshot_.step);
-    history_.forget(record_.steps - snapshot_.step);
-    record_.steps     = snapshot_.step;
-    record_.dt_limits = snapshot_.dt_limits;
-    reporter_.steps_undone(domain.state.time);
-    if (retries_ == most_retries)
+    step(left);
+    if (stage_.mode == StageMode::eulerian)
       {
-        close_record(domain);
+        if (regrid_is_due() || guard_touched())
+          regrid();
+      }
+    else if (!meet())
+      bonds_break();
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::go_back(const StateError &error)
+  {
+    // of what failed, only that it did is kept: every retry is really smaller than that, until its time has passed
+    const StageProgress failed   = run_.books.progress;
+    const long          retries  = run_.books.summary.counts.retries;
+    const double        until    = run_.domain.state.time + tried_dt_;
+    const bool          new_view = last_good_.restore(layout_, run_);
+    StageProgress      &progress = run_.books.progress;
+    reporter_.steps_undone(run_.books);
+    if (new_view || !cycle_ || cycle_->mesh() != &run_.domain.view->mesh)
+      use_mesh();
+    else
+      cycle_->evaluate(run_.domain.state);
+    progress.ceiling                  = retry_factor * tried_dt_;
+    progress.failed_until             = until;
+    progress.retries                  = failed.retries;
+    progress.folded                   = failed.folded;
+    run_.books.summary.counts.retries = retries;
+    if (progress.retries >= most_retries)
+      {
+        close_record();
         throw; // the error that go_back was called for, with its type
       }
-    ++retries_;
-    ++counts.retries;
-    reporter_.log().warning("gone back to step " + std::to_string(snapshot_.step) +
+    ++progress.retries;
+    ++run_.books.summary.counts.retries;
+    reporter_.log().warning("gone back to step " + std::to_string(run_.record().steps) +
                             " for a smaller time step: " + error.what());
   }
 
   template <int dim>
   void
-  StageLoop<dim>::take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger)
+  StageLoop<dim>::stand()
   {
-    if (domain.state.time >= failed_until_)
+    StageProgress &progress = run_.books.progress;
+    if (run_.domain.state.time >= progress.failed_until)
       {
-        retries_ = 0;
-        ceiling_ = std::numeric_limits<double>::infinity();
-        folded_.clear();
+        progress.retries = 0;
+        progress.ceiling = std::numeric_limits<double>::infinity();
+        progress.folded.clear();
       }
-    snapshot_ = {domain.state, ledger, record_.steps, record_.dt_limits};
-    reporter_.steps_stand();
+    run_.record().wall_s               = MPI_Wtime() - wall_start_;
+    run_.books.summary.counts.warnings = reporter_.log().warnings();
+    reporter_.steps_stand(run_.books);
+    last_good_.keep(run_);
   }
 
   template <int dim>
   void
-  StageLoop<dim>::close_record(const Domain<dim> &domain)
+  StageLoop<dim>::close_record()
   {
-    record_.end_us = domain.state.time;
-    record_.wall_s = MPI_Wtime() - wall_start_;
-    int ranks      = 1;
-    MPI_Comm_size(domain.communicator(), &ranks);
-    if (record_.wall_s > 0)
-      record_.cell_steps_per_s_per_rank = record_.cell_steps / record_.wall_s / ranks;
+    summary::Stage &record = run_.record();
+    record.end_us          = run_.domain.state.time;
+    record.wall_s          = MPI_Wtime() - wall_start_;
+    int ranks              = 1;
+    MPI_Comm_size(run_.domain.communicator(), &ranks);
+    if (record.wall_s > 0)
+      record.cell_steps_per_s_per_rank = record.cell_steps / record.wall_s / ranks;
   }
 
   template <int dim>
   void
-  StageLoop<dim>::stop_if_collapsed(const Domain<dim> &domain)
+  StageLoop<dim>::stop_if_collapsed()
   {
-    const auto collapse = history_.collapse();
+    const auto collapse = run_.books.progress.history.collapse();
     if (!collapse)
       return;
-    close_record(domain);
-    throw StateError("stage '" + stage_.name + "' at " + std::to_string(domain.state.time) + " us: " + *collapse +
+    close_record();
+    throw StateError("stage '" + stage_.name + "' at " + std::to_string(run_.domain.state.time) + " us: " + *collapse +
                      ", set by " + limit_.reason +
                      (std::isnan(limit_.place[0]) ? ""
                                                   : " at (" + std::to_string(limit_.place[0]) + ", " +
@@ -395,47 +476,60 @@ namespace whipple
 
   template <int dim>
   void
-  StageLoop<dim>::run(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
+  StageLoop<dim>::begin()
   {
-    const bool eulerian = stage_.mode == StageMode::eulerian;
-    record_             = summary::Stage{};
-    record_.name        = stage_.name;
-    record_.mode        = eulerian ? "eulerian" : "lagrangian";
-    record_.start_us    = domain.state.time;
-    end_time_           = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? domain.state.time : 0.);
-    record_.end_us      = end_time_;
-    new_mesh(domain);
+    const double   now      = run_.domain.state.time;
+    const bool     eulerian = stage_.mode == StageMode::eulerian;
+    StageProgress &progress = run_.books.progress;
+    progress                = StageProgress{};
+    progress.begun          = true;
+    progress.end_time       = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? now : 0.);
+    summary::Stage &record  = run_.books.summary.stages.emplace_back();
+    record.name             = stage_.name;
+    record.mode             = eulerian ? "eulerian" : "lagrangian";
+    record.start_us         = now;
+    record.end_us           = progress.end_time;
+    new_mesh();
     if (eulerian)
-      record_.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
+      record.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
     else
-      record_.elements = cells_;
-    reporter_.stage_begins(stage_, number_, domain);
-    take_snapshot(domain, ledger);
+      record.elements = cells_;
+    reporter_.stage_begins(stage_, run_);
+    stand();
+  }
 
-    for (double left; (left = time_left(domain)) > 0; stop_if_collapsed(domain))
+  template <int dim>
+  void
+  StageLoop<dim>::run()
+  {
+    if (run_.books.progress.begun)
       {
+        wall_start_ = MPI_Wtime() - run_.record().wall_s;
+        use_mesh();
+      }
+    else
+      {
+        wall_start_ = MPI_Wtime();
+        begin();
+      }
+    for (double left; (left = time_left()) > 0; stop_if_collapsed())
+      {
+        checkpointing_.after_step(last_good_, reporter_);
         try
           {
-            step(domain, ledger, counts, left);
+            advance(left);
           }
         catch (const StateError &error)
           {
-            go_back(domain, ledger, counts, error);
+            go_back(error);
             continue;
           }
-        if (eulerian && (regrid_is_due(domain) || guard_touched(domain)))
-          {
-            regrid(domain, ledger);
-            take_snapshot(domain, ledger);
-          }
-        else if (!eulerian && (meet(domain, ledger, counts) || bonds_break(domain, ledger, counts)))
-          take_snapshot(domain, ledger);
-        else if (record_.steps - snapshot_.step >= snapshot_steps)
-          take_snapshot(domain, ledger);
+        const bool new_view = last_good_.view() != run_.domain.view;
+        if (new_view || run_.record().steps - last_good_.steps() >= snapshot_steps)
+          stand();
       }
-
-    close_record(domain);
-    reporter_.stage_ends(stage_, domain, ledger);
+    close_record();
+    reporter_.stage_ends(stage_, run_);
   }
 
   template class StageLoop<2>;

@@ -34,12 +34,6 @@ namespace whipple
     steps_.push_back(dt);
   }
 
-  void
-  TimeStepHistory::forget(std::size_t steps)
-  {
-    steps_.resize(steps_.size() - std::min(steps, steps_.size()));
-  }
-
   std::optional<std::string>
   TimeStepHistory::collapse() const
   {

@@ -242,7 +242,6 @@ namespace
     schedule.looked(20, 0.1, close);
     EXPECT_FALSE(schedule.due(22));
     EXPECT_TRUE(schedule.due(23));
-    EXPECT_TRUE(schedule.due(15)); // after a step back
     schedule.looked(23, 1., close);
     EXPECT_TRUE(schedule.due(24));
   }

@@ -39,7 +39,7 @@ namespace
     return scene;
   }
 
-  /// Measure a plate of which nothing is left nearer than 0.153 cm to x = 0, and one crumb.
+  /// Measure a plate of which nothing is left nearer than 0.153 cm to x = 0, and one small piece.
   PlateMeasure
   measure(const Scene<2> &scene, std::size_t body, MPI_Comm communicator)
   {

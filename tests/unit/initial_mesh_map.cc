@@ -55,7 +55,7 @@ namespace
   {
     const std::string directory = testing::TempDir() + "whipple_mesh_map_output";
     prepare_output_directory(directory, MPI_COMM_SELF);
-    auto simulation = std::make_unique<Simulation<2>>(scene, directory, false, MPI_COMM_SELF);
+    auto simulation = std::make_unique<Simulation<2>>(scene, RunPlace{directory}, MPI_COMM_SELF);
     simulation->run();
     return simulation;
   }

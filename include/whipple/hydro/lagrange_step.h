@@ -35,7 +35,7 @@ namespace whipple
   /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
   /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
   ///
-  /// One object serves one mesh; it owns all work arrays, so a step allocates nothing. All methods run over
+  /// One object belongs to one mesh; it owns all work arrays, so a step allocates nothing. All methods run over
   /// owned and halo cells; only owned cells are reported and can throw.
   template <int dim>
   class LagrangeStep

@@ -12,9 +12,8 @@ namespace whipple
 {
   /// The exact sum of doubles of any size: a fixed-point number that reaches from the smallest double to beyond the
   /// largest, kept in chunks of 32 bits that overlap in 64-bit integers so that carries wait (the "small
-  /// superaccumulator" of R. M. Neal, Fast exact summation using small and large superaccumulators, arXiv:1505.05571,
-  /// 2015). Integers add in any order to the same bits: totals depend neither on the order of cells nor on how they are
-  /// spread over ranks, and have no scale of their own. Up to 2^63 terms.
+  /// superaccumulator" of [Neal2015]). Integers add in any order to the same bits: totals depend neither on the order
+  /// of cells nor on how they are spread over ranks, and have no scale of their own. Up to 2^63 terms.
   class ExactSum
   {
   public:

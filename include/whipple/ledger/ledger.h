@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace whipple
 {
@@ -31,6 +32,36 @@ namespace whipple
   public:
     /// Axis along which momentum is conserved in both symmetries.
     static constexpr int axial = 1;
+
+    /// |present - books| relative to the scale of the quantity.
+    struct Closure
+    {
+      double mass = 0, axial_momentum = 0, energy = 0;
+    };
+
+    /// All that has been entered.
+    struct Books
+    {
+      ConservedTotals<dim>                        introduced;
+      double                                      momentum_scale = 0; ///< sum of sqrt(2 m T) of what was introduced
+      ConservedTotals<dim>                        left;
+      std::map<std::string, ConservedTotals<dim>> dropped;
+      Conversions                                 conversions;
+      std::map<std::string, Event>                events;
+      Closure                                     last; ///< imbalance at the last check
+    };
+
+    Ledger() = default;
+    /// Go on with books kept before.
+    explicit Ledger(Books books)
+      : books_(std::move(books))
+    {
+    }
+    const Books &
+    books() const
+    {
+      return books_;
+    }
 
     void
     introduce(const ConservedTotals<dim> &amounts);
@@ -67,10 +98,6 @@ namespace whipple
     check(const ConservedTotals<dim> &present, const std::string &event, double tolerance);
 
     /// |present - books| relative to the scale of the quantity.
-    struct Closure
-    {
-      double mass = 0, axial_momentum = 0, energy = 0;
-    };
     Closure
     closure(const ConservedTotals<dim> &present) const;
 
@@ -82,27 +109,27 @@ namespace whipple
     const ConservedTotals<dim> &
     introduced() const
     {
-      return introduced_;
+      return books_.introduced;
     }
     const ConservedTotals<dim> &
     left() const
     {
-      return left_;
+      return books_.left;
     }
     const std::map<std::string, ConservedTotals<dim>> &
     dropped() const
     {
-      return dropped_;
+      return books_.dropped;
     }
     const Conversions &
     conversions() const
     {
-      return conversions_;
+      return books_.conversions;
     }
     const std::map<std::string, Event> &
     events() const
     {
-      return events_;
+      return books_.events;
     }
 
   private:
@@ -114,12 +141,6 @@ namespace whipple
     Closure
     imbalance(const ConservedTotals<dim> &present) const;
 
-    ConservedTotals<dim>                        introduced_;
-    double                                      momentum_scale_ = 0; ///< sum of sqrt(2 m T) of what was introduced
-    ConservedTotals<dim>                        left_;
-    std::map<std::string, ConservedTotals<dim>> dropped_;
-    Conversions                                 conversions_;
-    std::map<std::string, Event>                events_;
-    Closure                                     last_; ///< imbalance at the last check
+    Books books_;
   };
 } // namespace whipple

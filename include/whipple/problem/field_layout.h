@@ -37,5 +37,8 @@ namespace whipple
     template <int dim>
     std::vector<std::vector<double> *>
     cell_arrays(State<dim> &state) const;
+    template <int dim>
+    std::vector<const std::vector<double> *>
+    cell_arrays(const State<dim> &state) const;
   };
 } // namespace whipple

@@ -34,11 +34,24 @@ namespace whipple
   class ContactSchedule
   {
   public:
-    /// @param step number of steps made; smaller than at the last look after a step back, which repeats the look
+    ContactSchedule() = default;
+    /// @param next number of steps made at which the next look is due
+    explicit ContactSchedule(long next)
+      : next_(next)
+    {
+    }
+
+    long
+    next() const
+    {
+      return next_;
+    }
+
+    /// @param step number of steps made
     bool
     due(long step) const
     {
-      return step >= next_ || step <= last_;
+      return step >= next_;
     }
 
     /// @param dt the present time step, us
@@ -46,7 +59,6 @@ namespace whipple
     void
     looked(long step, double dt, const ContactReport<dim> &report)
     {
-      last_              = step;
       const double steps = report.time_to_next / dt;
       next_              = step + (!(steps >= 1.) ? 1 : steps < most_steps ? static_cast<long>(steps) : most_steps);
     }
@@ -54,7 +66,7 @@ namespace whipple
   private:
     static constexpr long most_steps = 20;
 
-    long last_ = -1, next_ = 0;
+    long next_ = 0;
   };
 
   /// Whether joining has failed: so many elements lie deep in others that the state is no longer one of matter.

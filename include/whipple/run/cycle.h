@@ -32,9 +32,21 @@ namespace whipple
     Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
           const Halo<dim> &halo);
 
-    /// Fill what is derived from the carried state (after a regrid or projection): node masses, pressures.
+    /// Fill what a new mesh (regrid or projection) leaves open: node masses, and what evaluate() fills.
     void
     refresh(State<dim> &state) const;
+
+    /// Fill what is derived from the carried state: pressures, sound speeds. Node masses are carried from then on: the
+    /// remap moves them together with the momenta, and the sum over the cells is another in the last bits.
+    void
+    evaluate(State<dim> &state) const;
+
+    /// What it was made for.
+    const FlatMesh<dim> *
+    mesh() const
+    {
+      return &mesh_;
+    }
 
     AgreedTimeStep
     time_step(const State<dim> &state) const;

@@ -12,13 +12,13 @@
 namespace whipple
 {
   /// Where a run stands: the forest over the scene, the flat view of its active part, and the state on it.
-  /// The view lives on the heap because halo and kernels keep its address.
+  /// The view lives on the heap because halo and kernels keep its address; what was a view stays as it was.
   template <int dim>
   struct Domain
   {
-    Forest<dim>                         forest;
-    std::unique_ptr<FlatPartition<dim>> view;
-    State<dim>                          state;
+    Forest<dim>                               forest;
+    std::shared_ptr<const FlatPartition<dim>> view;
+    State<dim>                                state;
 
     MPI_Comm
     communicator() const

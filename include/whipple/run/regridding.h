@@ -9,8 +9,8 @@
 
 namespace whipple
 {
-  /// Layers of neighbours around a rank's cells that stay valid between two halo exchanges: what the greediest
-  /// kernel of the cycle, one sweep of the remap, uses up.
+  /// Layers of neighbours around a rank's cells that stay valid between two halo exchanges: what the kernel that
+  /// needs most of them, one sweep of the remap, uses up.
   template <int dim>
   inline constexpr int halo_width = DirectionalRemap<dim>::halo_layers;
 

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <whipple/hydro/fragment_release.h>
-#include <whipple/output/summary.h>
+#include <whipple/run/checkpointing.h>
 #include <whipple/run/contact.h>
 #include <whipple/run/cycle.h>
 #include <whipple/run/handover.h>
+#include <whipple/run/last_good.h>
 #include <whipple/run/regridding.h>
 #include <whipple/run/reporter.h>
+#include <whipple/run/run_state.h>
 #include <whipple/run/state_guard.h>
-#include <whipple/run/time_step_history.h>
 
 #include <memory>
 
@@ -20,91 +21,90 @@ namespace whipple
   class StageLoop
   {
   public:
-    /// @param record what the summary says of the stage, up to date also when the stage stops early
+    /// All are kept by reference.
+    /// @param run       with the mesh and state that the stage begins with, or is in the middle of
+    /// @param last_good what failures go back to, kept up to date
     StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
-              const Handover<dim> &handover, const Stage &stage, int number, Reporter<dim> &reporter,
-              summary::Stage &record);
+              const Handover<dim> &handover, const Stage &stage, Reporter<dim> &reporter,
+              Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good);
 
-    /// @param counts retries and releases are added to it
-    /// @throws StateError on all ranks, after the last good state has been restored to `domain`
+    /// From where the run state is to the end of the stage.
+    /// @throws StateError on all ranks, after the last good state has been restored
+    /// @throws Interrupted on all ranks; the last good state is in a checkpoint
     void
-    run(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    run();
 
   private:
-    /// What a failed step goes back to.
-    struct Snapshot
-    {
-      State<dim>                  state;
-      Ledger<dim>                 ledger;
-      long                        step = 0;
-      std::map<std::string, long> dt_limits;
-    };
-
     void
-    new_mesh(Domain<dim> &domain);
+    begin();
+    /// Build what belongs to the mesh and its bonds, of a run that goes on with it.
     void
-    regrid(Domain<dim> &domain, Ledger<dim> &ledger);
+    use_mesh();
+    /// The same of a mesh that the run has just got.
     void
-    release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    new_mesh();
+    void
+    regrid();
+    /// Step, and what follows it: regrid, contact, breaking of bonds.
+    void
+    advance(double left);
+    void
+    step(double left);
+    void
+    release();
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
-    bonds_break(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    bonds_break();
     /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
     void
-    free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    free_folding();
     /// @throws StateError if a step has folded an element; the elements are freed in the next try
     void
-    refuse_folded(const Domain<dim> &domain);
+    refuse_folded();
     /// Join elements that have run into one another; lay all anew if that does not do. @returns whether the mesh is new
     bool
-    meet(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    meet();
     bool
-    regrid_is_due(const Domain<dim> &domain);
+    regrid_is_due();
     bool
-    guard_touched(const Domain<dim> &domain) const;
+    guard_touched() const;
     double
-    choose_time_step(const Domain<dim> &domain, double left);
+    choose_time_step(double left);
     double
-    time_left(const Domain<dim> &domain);
+    time_left();
     /// @throws StateError, after the record has been closed, if the time step has collapsed.
     void
-    stop_if_collapsed(const Domain<dim> &domain);
+    stop_if_collapsed();
     void
-    close_record(const Domain<dim> &domain);
+    close_record();
+    /// Compare the books with what is present. @throws ConservationError
     void
-    step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left);
+    check(const std::string &event);
+    /// All so far is good.
     void
-    take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger);
+    stand();
     void
-    go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error);
+    go_back(const StateError &error);
 
     const Scene<dim>      &scene_;
     const FieldLayout     &layout_;
     const Regridding<dim> &regridding_;
     const Handover<dim>   &handover_;
     const Stage           &stage_;
-    int                    number_;
     Reporter<dim>         &reporter_;
-    summary::Stage        &record_;
+    Checkpointing<dim>    &checkpointing_;
+    RunState<dim>         &run_;
+    LastGood<dim>         &last_good_;
+    RigidWalls<dim>        walls_;
+    StateGuard<dim>        state_guard_;
 
+    // what belongs to the present mesh
     std::unique_ptr<Cycle<dim>> cycle_;
     std::vector<Index>          guard_;
-    Snapshot                    snapshot_;
-    RigidWalls<dim>             walls_;
-    ContactSchedule             contacts_;
-    std::vector<Index>          folded_; ///< owned cells that steps since the snapshot have folded
-    AgreedTimeStep              limit_{};
-    StateGuard<dim>             state_guard_;
-    double                      wall_start_;
-    double                      end_time_ = 0; ///< us; of stages that end at a time
-    double                      last_dt_  = 0; ///< us; 0 before the first step
-    double                      tried_dt_ = 0; ///< us; the step being made
-    double                      ceiling_  = std::numeric_limits<double>::infinity(); ///< us; of retries
-    double          failed_until_ = -std::numeric_limits<double>::infinity(); ///< us; end of the step that failed
-    TimeStepHistory history_;
-    long            cells_              = 0;  ///< active cells of all ranks
-    long            since_regrid_       = 0;  ///< steps since the mesh or its bonds were last looked at
-    double          spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
-    int             retries_            = 0;  ///< of the same failure
+    long                        cells_ = 0; ///< active cells of all ranks
+
+    AgreedTimeStep limit_{};        ///< of the present step
+    double         tried_dt_   = 0; ///< us; the present step
+    double         wall_start_ = 0; ///< s
   };
 } // namespace whipple

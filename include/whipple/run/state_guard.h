@@ -19,7 +19,7 @@ namespace whipple
     StateGuard(const Scene<dim> &scene, const FieldLayout &layout);
 
     /// Look at all cells. Energy that lies below the cold curve by more than round-off is noted in the ledger; where
-    /// the sum of it is more than a thousandth of the energy of the problem, matter has been pumped.
+    /// the sum of it is more than a thousandth of the energy of the problem, energy has come from nowhere.
     /// @param energy_scale of the problem, Mbar cm^3
     /// @throws StateError on all ranks, naming material, place and numbers.
     void

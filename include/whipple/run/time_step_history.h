@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whipple
@@ -12,13 +13,22 @@ namespace whipple
   class TimeStepHistory
   {
   public:
+    TimeStepHistory() = default;
+    /// Go on with steps made before, us.
+    explicit TimeStepHistory(std::vector<double> steps)
+      : steps_(std::move(steps))
+    {
+    }
+
+    const std::vector<double> &
+    steps() const
+    {
+      return steps_;
+    }
+
     /// A step was made. @param dt us; not one that was cut because the stage ends
     void
     add(double dt);
-
-    /// Steps go back by that many (a failed step was undone).
-    void
-    forget(std::size_t steps);
 
     /// What has collapsed, if it has, in words with the numbers: the last 100 steps all below 1e-4 of the median of
     /// those before them, or below 1e-6 of the largest of the first ten. Looks at every hundredth step.
