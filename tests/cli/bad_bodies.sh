@@ -49,6 +49,8 @@ printf 'mm mm\n1 2\n3 4 5\n' >three.txt
 rejects "line 3 of '$PWD/three.txt': 3 columns" "$cone" "Bodies/ring/Corners file = $PWD/three.txt"
 printf 'mm mm\n1 2\n3 x\n' >letter.txt
 rejects "line 3 of '$PWD/letter.txt': not a number" "$cone" "Bodies/ring/Corners file = $PWD/letter.txt"
+awk 'BEGIN { print "mm mm"; for (i = 0; i < 60; ++i) print 3 + cos(i * 0.1047), 9 + sin(i * 0.1047) }' >round.txt
+rejects "...': the body reaches over 0.8" "$cone" "Bodies/ring/Corners file = $PWD/round.txt"
 rejects "overlaps the body 'rod'" "$oblique" 'Bodies/plate/Front face = -0.3 cm'
 rejects 'allowed is the domain' "$oblique" 'Bodies/rod/Length = 2 cm'
 rejects 'out of range; allowed is -360 deg to 360 deg' "$oblique" 'Bodies/rod/Rotation = 1000 deg'
