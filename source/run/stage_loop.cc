@@ -62,7 +62,7 @@ namespace whipple
     rigid_walls(const Scene<dim> &scene)
     {
       RigidWalls<dim> walls;
-      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::none; ++side)
+      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::identity; ++side)
         {
           walls.there[side]    = scene.boundaries[side].kind == BoundaryKind::reflecting;
           walls.position[side] = side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2];

@@ -93,12 +93,12 @@ namespace whipple
   /// One link of the chain.
   struct Stage
   {
-    std::string              name;
-    StageMode                mode = StageMode::eulerian;
-    std::vector<std::size_t> introduces; ///< indices of bodies that enter at its start
+    std::string                     name;
+    StageMode                       mode = StageMode::eulerian;
+    std::vector<std::size_t>        introduces; ///< indices of bodies that enter at its start
     std::shared_ptr<const StageEnd> end;
-    double                   max_time_step       = std::numeric_limits<double>::infinity(); ///< us
-    KineticLoss              lost_kinetic_energy = KineticLoss::heat;                       ///< by remap and projection
+    double                          max_time_step       = std::numeric_limits<double>::infinity(); ///< us
+    KineticLoss                     lost_kinetic_energy = KineticLoss::heat; ///< by remap and projection
 
     Cohesion      cohesion = Cohesion::bonded; ///< Lagrangian stages
     BreakCriteria breaking;                    ///< graded cohesion
@@ -171,8 +171,8 @@ namespace whipple
     std::string title; ///< one line for the banner
 
     Boundaries<dim> boundaries;
-    Lattice<dim>    lattice;                  ///< symmetry, lower corner, finest cell, root cells, levels
-    MeshMap         mesh_map = MeshMap::none; ///< where the nodes of the lattice, and all bodies on it, start
+    Lattice<dim>    lattice;                      ///< symmetry, lower corner, finest cell, root cells, levels
+    MeshMap         mesh_map = MeshMap::identity; ///< where the nodes of the lattice, and all bodies on it, start
     MeshControl     mesh;
 
     std::vector<SceneMaterial> materials;
