@@ -58,6 +58,13 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  Cycle<dim>::forget_last_state() const
+  {
+    lagrange_.forget_last_state();
+  }
+
+  template <int dim>
   AgreedTimeStep
   Cycle<dim>::time_step(const State<dim> &state) const
   {

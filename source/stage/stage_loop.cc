@@ -335,6 +335,7 @@ namespace whipple
     failed_until_ = domain.state.time + tried_dt_;
     domain.state  = snapshot_.state;
     ledger        = snapshot_.ledger;
+    cycle_->forget_last_state(); // the step failed on one rank before, on others after it had changed the state
     record_.cell_steps -= static_cast<double>(cells_) * (record_.steps - snapshot_.step);
     history_.forget(record_.steps - snapshot_.step);
     record_.steps     = snapshot_.step;

@@ -55,6 +55,11 @@ namespace whipple
     void
     update_pressure(State<dim> &state) const;
 
+    /// The state is another one than before, though no pressure of it is missing (a step was undone): nothing that was
+    /// evaluated of the last one holds.
+    void
+    forget_last_state() const;
+
     /// The largest time step that the owned cells allow.
     TimeStepLimit
     time_step(const State<dim> &state) const;
@@ -90,6 +95,6 @@ namespace whipple
     mutable StepWork<dim>        work_;
 
     mutable material_passes::Scratch scratch_;
-    mutable bool                     strength_is_current_ = false; ///< strength evaluated since update_pressure()
+    mutable bool                     strength_is_current_ = false; ///< strength evaluated of this state
   };
 } // namespace whipple

@@ -36,6 +36,10 @@ namespace whipple
     void
     refresh(State<dim> &state) const;
 
+    /// Nothing that was evaluated of the last state holds: a failed step was undone. What is derived is in the state.
+    void
+    forget_last_state() const;
+
     AgreedTimeStep
     time_step(const State<dim> &state) const;
 
