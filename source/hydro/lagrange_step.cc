@@ -230,14 +230,14 @@ namespace whipple
 
   template <int dim>
   LagrangeReport<dim>
-  LagrangeStep<dim>::advance(State<dim> &state, double dt)
+  LagrangeStep<dim>::advance(State<dim> &state, double dt, std::span<const RigidFragment<dim>> rigid)
   {
     evaluate_strength(state);
     motion_.predict(state, dt, work_);
     cell_kernels::stretch_rates(mesh_, state, work_);
     cell_kernels::corner_forces(mesh_, state, parameters_, dt, work_);
     motion_.load_sides(state, dt, work_);
-    const BoundaryExchange<dim> exchange    = motion_.move(state, dt, work_);
+    const BoundaryExchange<dim> exchange    = motion_.move(state, dt, rigid, work_);
     cell_kernels::Dissipation   dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
     if (!work_.viscous_force.empty())
       dissipation.viscous = cell_kernels::viscous_work(mesh_, dt, work_);

@@ -120,11 +120,12 @@ namespace whipple
 
   template <int dim>
   void
-  Cycle<dim>::advance(State<dim> &state, double dt, int sweep_first, Ledger<dim> &ledger)
+  Cycle<dim>::advance(State<dim> &state, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
+                      Ledger<dim> &ledger)
   {
     const MPI_Comm      communicator = halo_.communicator();
     LagrangeReport<dim> motion;
-    agree(communicator, [&] { motion = lagrange_.advance(state, dt); });
+    agree(communicator, [&] { motion = lagrange_.advance(state, dt, rigid); });
     for (const auto &pass : passes_)
       {
         pass->advance(state, lagrange_.before(), dt);

@@ -196,15 +196,16 @@ namespace whipple
   }
 
   template <int dim>
-  void
+  std::vector<RigidFragment<dim>>
   StageLoop<dim>::release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts)
   {
-    const ReleaseReport<dim> report =
-        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, folded_);
+    ReleaseReport<dim> report =
+        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, locked_);
     const GatherReport<dim> all =
         sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
     ledger.gathered("released fragments", all, KineticLoss::heat);
     counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    return std::move(report.rigid);
   }
 
   template <int dim>
@@ -214,7 +215,7 @@ namespace whipple
     if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
       return;
     std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
-    cells.insert(cells.end(), folded_.begin(), folded_.end());
+    cells.insert(cells.end(), locked_.begin(), locked_.end());
     if (max_over_ranks(static_cast<double>(cells.size()), domain.communicator()) == 0)
       return;
     double mass = 0;
@@ -237,19 +238,18 @@ namespace whipple
   void
   StageLoop<dim>::refuse_folded(const Domain<dim> &domain)
   {
-    const std::vector<Index> cells = folded_cells(domain.view->mesh, domain.state);
-    double                   fresh = 0;
-    for (const Index c : cells)
-      if (std::find(folded_.begin(), folded_.end(), c) == folded_.end())
-        {
-          folded_.push_back(c);
-          ++fresh;
-        }
+    // what is locked has the shape that it had before it folded, whatever round-off makes of it
+    std::vector<Index> cells = folded_cells(domain.view->mesh, domain.state);
+    std::erase_if(cells, [&](Index c) { return std::binary_search(locked_.begin(), locked_.end(), c); });
     const double number = sum_over_ranks(static_cast<double>(cells.size()), domain.communicator());
     if (number == 0)
       return;
-    if (sum_over_ranks(fresh, domain.communicator()) > 0)
-      retries_ = 0; // what has folded now will be free in the next try: not the same again
+    retries_ = 0; // what has folded now will be free and locked in the next try: not the same again
+    for (std::vector<Index> *list : {&locked_, &new_locked_})
+      {
+        list->insert(list->end(), cells.begin(), cells.end());
+        std::sort(list->begin(), list->end());
+      }
     agree(domain.communicator(), [&] {
       if (cells.empty())
         return;
@@ -289,7 +289,8 @@ namespace whipple
       {
         ++counts.rezones;
         new_mesh(domain);
-        folded_.clear();
+        locked_.clear();
+        new_locked_.clear();
       }
     if (report.joined > 0 || anew)
       ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), "contact of elements", round_off);
@@ -300,16 +301,17 @@ namespace whipple
   void
   StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
   {
-    const double dt = choose_time_step(domain, left);
+    const double                    dt = choose_time_step(domain, left);
+    std::vector<RigidFragment<dim>> rigid;
     if (stage_.mode == StageMode::lagrangian)
       {
         free_folding(domain, ledger, counts);
-        release(domain, ledger, counts);
+        rigid = release(domain, ledger, counts);
       }
     if (scene_.numerics.inject_failure_at_step == record_.steps + 1)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
-    cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), ledger);
+    cycle_->advance(domain.state, dt, static_cast<int>(record_.steps % dim), rigid, ledger);
     if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
       refuse_folded(domain);
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
@@ -354,13 +356,30 @@ namespace whipple
 
   template <int dim>
   void
-  StageLoop<dim>::take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger)
+  StageLoop<dim>::note_locked(const Domain<dim> &domain, Ledger<dim> &ledger)
   {
+    double number = 0, mass = 0;
+    for (const Index c : new_locked_)
+      {
+        ++number;
+        mass += cell_mass<dim>(domain.state, c);
+      }
+    number = sum_over_ranks(number, domain.communicator());
+    if (number > 0)
+      ledger.note("elements at the point of folding locked in their shape", number,
+                  sum_over_ranks(mass, domain.communicator()), "g");
+    new_locked_.clear();
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::take_snapshot(const Domain<dim> &domain, Ledger<dim> &ledger)
+  {
+    note_locked(domain, ledger);
     if (domain.state.time >= failed_until_)
       {
         retries_ = 0;
         ceiling_ = std::numeric_limits<double>::infinity();
-        folded_.clear();
       }
     snapshot_ = {domain.state, ledger, record_.steps, record_.dt_limits};
     reporter_.steps_stand();

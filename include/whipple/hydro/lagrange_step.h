@@ -11,6 +11,7 @@
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/state/fields.h>
 
+#include <span>
 #include <vector>
 
 namespace whipple
@@ -66,9 +67,10 @@ namespace whipple
 
     /// Move the state by dt [us]. Needs node_mass, pressure and sound_speed up to date; leaves pressure and
     /// sound_speed up to date. Strong guarantee: when it throws, the state is as before.
+    /// @param rigid elements that keep their shape
     /// @throws StateError if the volume of an owned cell or of a material in it would not stay positive.
     LagrangeReport<dim>
-    advance(State<dim> &state, double dt);
+    advance(State<dim> &state, double dt, std::span<const RigidFragment<dim>> rigid = {});
 
     /// What the last advance() started from, where it has successors: volumes, densities, energies, stresses and
     /// plastic strains of the materials, positions and velocities of the nodes.

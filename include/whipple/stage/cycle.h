@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace whipple
@@ -45,9 +46,11 @@ namespace whipple
 
     /// Advance by dt and enter into the ledger what left and what was converted.
     /// @param sweep_first axis of the first sweep of the remap; alternate it.
+    /// @param rigid owned elements that keep their shape
     /// @throws StateError on all ranks; the state is then of no further use.
     void
-    advance(State<dim> &state, double dt, int sweep_first, Ledger<dim> &ledger);
+    advance(State<dim> &state, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
+            Ledger<dim> &ledger);
 
   private:
     void

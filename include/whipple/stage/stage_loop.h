@@ -44,7 +44,8 @@ namespace whipple
     new_mesh(Domain<dim> &domain);
     void
     regrid(Domain<dim> &domain, Ledger<dim> &ledger);
-    void
+    /// @returns the fragments that keep their shape in the step ahead
+    std::vector<RigidFragment<dim>>
     release(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
@@ -52,7 +53,7 @@ namespace whipple
     /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
     void
     free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
-    /// @throws StateError if a step has folded an element; the elements are freed in the next try
+    /// @throws StateError if a step has folded an element; the elements are freed in the next try, and locked
     void
     refuse_folded(const Domain<dim> &domain);
     /// Join elements that have run into one another; lay all anew if that does not do. @returns whether the mesh is new
@@ -74,7 +75,10 @@ namespace whipple
     void
     step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left);
     void
-    take_snapshot(const Domain<dim> &domain, const Ledger<dim> &ledger);
+    take_snapshot(const Domain<dim> &domain, Ledger<dim> &ledger);
+    /// Enter into the ledger what has been locked since this was asked last.
+    void
+    note_locked(const Domain<dim> &domain, Ledger<dim> &ledger);
     void
     go_back(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, const StateError &error);
 
@@ -92,7 +96,8 @@ namespace whipple
     Snapshot                    snapshot_;
     RigidWalls<dim>             walls_;
     ContactSchedule             contacts_;
-    std::vector<Index>          folded_; ///< owned cells that steps since the snapshot have folded
+    std::vector<Index>          locked_;     ///< owned cells that a step has folded, ascending: they keep their shape
+    std::vector<Index>          new_locked_; ///< of them, those not yet in the ledger
     AgreedTimeStep              limit_{};
     StateGuard<dim>             state_guard_;
     double                      wall_start_;
