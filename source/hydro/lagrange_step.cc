@@ -187,16 +187,24 @@ namespace whipple
 
   template <int dim>
   TimeStepLimit
-  LagrangeStep<dim>::time_step(const State<dim> &state) const
+  LagrangeStep<dim>::time_step(const State<dim> &state, std::span<const Index> exempt) const
   {
     evaluate_strength(state);
     if (!motion_.drives_nodes())
-      return find_time_step<dim>(mesh_, state, state.velocity, parameters_, work_);
+      return find_time_step<dim>(mesh_, state, state.velocity, parameters_, work_, exempt);
     // a side that is about to move its nodes squeezes the cells beside it, whatever velocity they still have
     for (int d = 0; d < dim; ++d)
       std::copy(state.velocity[d].begin(), state.velocity[d].end(), work_.velocity[d].begin());
     motion_.drive(state, work_.velocity);
-    return find_time_step<dim>(mesh_, state, work_.velocity, parameters_, work_);
+    return find_time_step<dim>(mesh_, state, work_.velocity, parameters_, work_, exempt);
+  }
+
+  template <int dim>
+  std::vector<Index>
+  LagrangeStep<dim>::slivers(const State<dim> &state, double bound) const
+  {
+    evaluate_strength(state);
+    return find_slivers<dim>(mesh_, state, parameters_, work_, bound);
   }
 
   template <int dim>

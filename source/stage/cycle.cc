@@ -66,9 +66,9 @@ namespace whipple
 
   template <int dim>
   AgreedTimeStep
-  Cycle<dim>::time_step(const State<dim> &state) const
+  Cycle<dim>::time_step(const State<dim> &state, std::span<const Index> exempt) const
   {
-    TimeStepLimit limit = lagrange_.time_step(state);
+    TimeStepLimit limit = lagrange_.time_step(state, exempt);
     if (remap_)
       if (const AdvectionLimit own = remap_->time_step(state); own.dt < limit.dt)
         limit = {own.dt, "advection", own.cell};
@@ -100,6 +100,13 @@ namespace whipple
       }
     MPI_Bcast(&news, sizeof news, MPI_BYTE, least.rank, communicator);
     return {least.dt, news.reason, {{news.place[0], news.place[1]}}};
+  }
+
+  template <int dim>
+  std::vector<Index>
+  Cycle<dim>::slivers(const State<dim> &state, double bound) const
+  {
+    return lagrange_.slivers(state, bound);
   }
 
   template <int dim>

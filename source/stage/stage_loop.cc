@@ -29,6 +29,9 @@ namespace whipple
     /// Stable steps ahead for which elements may not fold.
     constexpr double steps_ahead = 1.5;
 
+    /// Part of a stage's typical step below which no sliver may push it.
+    constexpr double sliver_share = 0.05;
+
     /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
     /// mesh that folds is left to itself.
     template <int dim>
@@ -170,7 +173,7 @@ namespace whipple
   double
   StageLoop<dim>::choose_time_step(const Domain<dim> &domain, double left)
   {
-    limit_ = cycle_->time_step(domain.state);
+    limit_ = cycle_->time_step(domain.state, locked_);
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
@@ -236,6 +239,32 @@ namespace whipple
 
   template <int dim>
   void
+  StageLoop<dim>::lock(const std::vector<Index> &cells)
+  {
+    for (std::vector<Index> *list : {&locked_, &new_locked_})
+      {
+        list->insert(list->end(), cells.begin(), cells.end());
+        std::sort(list->begin(), list->end());
+      }
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::lock_slivers(const Domain<dim> &domain)
+  {
+    const double bound = sliver_share * history_.typical();
+    if (!(limit_.dt < bound) || !holds_pieces(domain.state))
+      return false;
+    std::vector<Index> cells = cycle_->slivers(domain.state, bound);
+    std::erase_if(cells, [&](Index c) { return std::binary_search(locked_.begin(), locked_.end(), c); });
+    if (sum_over_ranks(static_cast<double>(cells.size()), domain.communicator()) == 0)
+      return false;
+    lock(cells);
+    return true;
+  }
+
+  template <int dim>
+  void
   StageLoop<dim>::refuse_folded(const Domain<dim> &domain)
   {
     // what is locked has the shape that it had before it folded, whatever round-off makes of it
@@ -245,11 +274,7 @@ namespace whipple
     if (number == 0)
       return;
     retries_ = 0; // what has folded now will be free and locked in the next try: not the same again
-    for (std::vector<Index> *list : {&locked_, &new_locked_})
-      {
-        list->insert(list->end(), cells.begin(), cells.end());
-        std::sort(list->begin(), list->end());
-      }
+    lock(cells);
     agree(domain.communicator(), [&] {
       if (cells.empty())
         return;
@@ -301,7 +326,13 @@ namespace whipple
   void
   StageLoop<dim>::step(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts, double left)
   {
-    const double                    dt = choose_time_step(domain, left);
+    const double before = last_dt_;
+    double       dt     = choose_time_step(domain, left);
+    if (stage_.mode == StageMode::lagrangian && lock_slivers(domain))
+      {
+        last_dt_ = before;
+        dt       = choose_time_step(domain, left);
+      }
     std::vector<RigidFragment<dim>> rigid;
     if (stage_.mode == StageMode::lagrangian)
       {
@@ -366,7 +397,7 @@ namespace whipple
       }
     number = sum_over_ranks(number, domain.communicator());
     if (number > 0)
-      ledger.note("elements at the point of folding locked in their shape", number,
+      ledger.note("slivers and elements at the point of folding locked in their shape", number,
                   sum_over_ranks(mass, domain.communicator()), "g");
     new_locked_.clear();
   }

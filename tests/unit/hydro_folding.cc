@@ -231,3 +231,33 @@ TEST(FragmentRelease, NamesThoseThatKeepTheirShape)
       EXPECT_FALSE(report.rigid[i].held[0]);
     }
 }
+
+TEST(RigidFragments, SliversAreFoundAndSetNoTimeStep)
+{
+  for (const Symmetry symmetry : {Symmetry::planar, Symmetry::axisymmetric})
+    {
+      Ring            ring(symmetry);
+      LagrangeStep<2> step(ring.mesh, ring.materials, {}, {});
+      step.update_node_mass(ring.state);
+      step.update_pressure(ring.state);
+      const double plain = step.time_step(ring.state).dt;
+      const Index  thin = 5, small = 9;
+      const auto   shrink = [&](Index c, double along, double across) {
+        const Index *node = &ring.mesh.cell_node[4 * c];
+        for (int k = 1; k < 4; ++k)
+          for (int d = 0; d < 2; ++d)
+            ring.state.position[d][node[k]] =
+                ring.state.position[d][node[0]] + 0.1 * (k >> d & 1) * (d == 0 ? along : across);
+      };
+      shrink(thin, 1., 0.03);    // 33 : 1
+      shrink(small, 0.02, 0.02); // no sliver, though it sets as small a step
+      initialise_geometry(ring.mesh, ring.state);
+      hydro_case::fill_all(ring.state, 2., 1.5);
+      step.update_pressure(ring.state);
+      EXPECT_EQ(step.time_step(ring.state).cell, small);
+      EXPECT_EQ(step.slivers(ring.state, 0.1 * plain), std::vector<Index>{thin});
+      EXPECT_TRUE(step.slivers(ring.state, 0.01 * plain).empty());
+      EXPECT_EQ(step.time_step(ring.state, std::array<Index, 1>{small}).cell, thin);
+      EXPECT_GT(step.time_step(ring.state, std::array<Index, 2>{thin, small}).dt, 0.5 * plain);
+    }
+}

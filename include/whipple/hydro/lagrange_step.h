@@ -61,9 +61,13 @@ namespace whipple
     void
     forget_last_state() const;
 
-    /// The largest time step that the owned cells allow.
+    /// The largest time step that the owned cells allow, but for those that keep their shape.
     TimeStepLimit
-    time_step(const State<dim> &state) const;
+    time_step(const State<dim> &state, std::span<const Index> exempt = {}) const;
+
+    /// find_slivers()
+    std::vector<Index>
+    slivers(const State<dim> &state, double bound) const;
 
     /// Move the state by dt [us]. Needs node_mass, pressure and sound_speed up to date; leaves pressure and
     /// sound_speed up to date. Strong guarantee: when it throws, the state is as before.

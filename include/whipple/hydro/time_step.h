@@ -4,7 +4,9 @@
 #include <whipple/hydro/hydro_parameters.h>
 #include <whipple/hydro/step_work.h>
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace whipple
 {
@@ -21,9 +23,17 @@ namespace whipple
   /// take beside open void; c^2 = max(c_bulk^2, |P| / rho) + 4/3 G / rho.
   /// @param velocity of the nodes, those that sides prescribe already as the sides have it
   /// @param work shear moduli up to date
+  /// @param exempt owned cells, in ascending order, that keep their shape: nothing in them limits the step
   template <int dim>
   TimeStepLimit
   find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
                  const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
-                 const StepWork<dim> &work);
+                 const StepWork<dim> &work, std::span<const Index> exempt = {});
+
+  /// Owned cells that would limit the step to less than `bound` [us] because they are slivers: their smallest extent is
+  /// less than a 25th of their longest side or diagonal.
+  template <int dim>
+  std::vector<Index>
+  find_slivers(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
+               const StepWork<dim> &work, double bound);
 } // namespace whipple

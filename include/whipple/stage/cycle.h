@@ -41,8 +41,13 @@ namespace whipple
     void
     forget_last_state() const;
 
+    /// @param exempt owned elements, ascending, that keep their shape
     AgreedTimeStep
-    time_step(const State<dim> &state) const;
+    time_step(const State<dim> &state, std::span<const Index> exempt) const;
+
+    /// Owned elements that would limit the step to less than `bound` [us] because they are slivers.
+    std::vector<Index>
+    slivers(const State<dim> &state, double bound) const;
 
     /// Advance by dt and enter into the ledger what left and what was converted.
     /// @param sweep_first axis of the first sweep of the remap; alternate it.

@@ -53,6 +53,12 @@ namespace whipple
     /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
     void
     free_folding(Domain<dim> &domain, Ledger<dim> &ledger, summary::Counts &counts);
+    /// Lock slivers that would make the step much shorter than it is in this stage. @returns whether there were new
+    /// ones
+    bool
+    lock_slivers(const Domain<dim> &domain);
+    void
+    lock(const std::vector<Index> &cells);
     /// @throws StateError if a step has folded an element; the elements are freed in the next try, and locked
     void
     refuse_folded(const Domain<dim> &domain);
@@ -96,20 +102,21 @@ namespace whipple
     Snapshot                    snapshot_;
     RigidWalls<dim>             walls_;
     ContactSchedule             contacts_;
-    std::vector<Index>          locked_;     ///< owned cells that a step has folded, ascending: they keep their shape
-    std::vector<Index>          new_locked_; ///< of them, those not yet in the ledger
-    AgreedTimeStep              limit_{};
-    StateGuard<dim>             state_guard_;
-    double                      wall_start_;
-    double                      end_time_ = 0; ///< us; of stages that end at a time
-    double                      last_dt_  = 0; ///< us; 0 before the first step
-    double                      tried_dt_ = 0; ///< us; the step being made
-    double                      ceiling_  = std::numeric_limits<double>::infinity(); ///< us; of retries
-    double          failed_until_ = -std::numeric_limits<double>::infinity(); ///< us; end of the step that failed
-    TimeStepHistory history_;
-    long            cells_              = 0;  ///< active cells of all ranks
-    long            since_regrid_       = 0;  ///< steps since the mesh or its bonds were last looked at
-    double          spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
-    int             retries_            = 0;  ///< of the same failure
+    std::vector<Index>
+        locked_; ///< owned cells that keep their shape, ascending: a step has folded them, or they are slivers
+    std::vector<Index> new_locked_; ///< of them, those not yet in the ledger
+    AgreedTimeStep     limit_{};
+    StateGuard<dim>    state_guard_;
+    double             wall_start_;
+    double             end_time_     = 0;                                        ///< us; of stages that end at a time
+    double             last_dt_      = 0;                                        ///< us; 0 before the first step
+    double             tried_dt_     = 0;                                        ///< us; the step being made
+    double             ceiling_      = std::numeric_limits<double>::infinity();  ///< us; of retries
+    double             failed_until_ = -std::numeric_limits<double>::infinity(); ///< us; end of the step that failed
+    TimeStepHistory    history_;
+    long               cells_              = 0;  ///< active cells of all ranks
+    long               since_regrid_       = 0;  ///< steps since the mesh or its bonds were last looked at
+    double             spare_after_regrid_ = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
+    int                retries_            = 0;  ///< of the same failure
   };
 } // namespace whipple
