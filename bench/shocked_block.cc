@@ -2,7 +2,7 @@
 #include "shocked_block.h"
 
 #include <whipple/effect/effect.h>
-#include <whipple/stage/handover.h>
+#include <whipple/run/handover.h>
 
 #include <algorithm>
 #include <utility>

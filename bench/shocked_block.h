@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/stage/cycle.h>
-#include <whipple/stage/domain.h>
+#include <whipple/run/cycle.h>
+#include <whipple/run/domain.h>
 
 #include <string>
 #include <vector>

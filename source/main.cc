@@ -95,7 +95,7 @@ namespace
   }
 
   /// Errors are thrown on every rank alike, then rank 0 speaks for all. Should one rank fail alone, the others
-  /// wait for it in some exchange: it then says so itself and ends them all. `communicator` serves nothing else,
+  /// wait for it in some exchange: it then says so itself and ends them all. `communicator` is used for nothing else,
   /// so that this cannot be mixed up with what the other ranks wait in.
   void
   report(const Failure &failure, MPI_Comm communicator)

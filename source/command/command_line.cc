@@ -59,11 +59,29 @@ namespace whipple::command_line
       file = argument;
     }
 
+    /// Make a run go on in its own directory, with the parameters it had.
+    void
+    resume(const std::string &directory, RunOptions &options)
+    {
+      if (!options.scene_file.empty())
+        throw InputError("command line", "--resume", directory,
+                         "takes no scene file beside it, the run has its own ('" + options.scene_file + "' is given)");
+      if (!options.output_directory.empty())
+        throw InputError("command line", "--resume", directory,
+                         "takes no --output: the run goes on in its own directory");
+      options.resume           = true;
+      options.output_directory = directory;
+      options.scene_file       = (std::filesystem::path(directory) / "parameters.prm").string();
+      if (!std::filesystem::exists(options.scene_file))
+        throw InputError("command line", "--resume", directory, "is no directory of a run: it has no parameters.prm");
+    }
+
     Run
     parse_run(std::span<const std::string> arguments)
     {
       Run         run;
       RunOptions &options = run.options;
+      std::string resumed;
       for (std::size_t i = 0; i < arguments.size(); ++i)
         {
           const std::string &argument = arguments[i];
@@ -73,14 +91,18 @@ namespace whipple::command_line
             options.overrides.push_back(parse_override(value_of(arguments, i, "'Section/Sub/Name = value'")));
           else if (argument == "--output")
             options.output_directory = value_of(arguments, i, "a directory");
+          else if (argument == "--resume")
+            resumed = value_of(arguments, i, "the directory of a run");
           else if (argument == "--validate")
             options.validate_only = true;
           else if (argument == "--effects-report")
             options.effects_report = true;
           else
             take_file(options.scene_file, argument, "run",
-                      "run takes -n, --set, --output, --validate and --effects-report");
+                      "run takes -n, --set, --output, --resume, --validate and --effects-report");
         }
+      if (!resumed.empty())
+        resume(resumed, options);
       if (options.scene_file.empty())
         throw InputError("run needs a scene file: whipple run SCENE.prm");
       if (options.output_directory.empty())

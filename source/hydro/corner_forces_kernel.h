@@ -58,7 +58,7 @@ namespace whipple::cell_kernels
     /// material carries no tension
     /// (`least`, 0 without strength: with it the stress across the surface vanishes, not the pressure),
     /// and of a compression it takes part only as far as closure::compressed_share() says; its pressure on the nodes is
-    /// scaled with that, so that the work done on it belongs to the change of its volume (a wisp in a cell that keeps
+    /// scaled with that, so that the work done on it belongs to the change of its volume (a trace in a cell that keeps
     /// closing would otherwise be heated without bound).
     Pack
     half_pressure(const MaterialState &material, double yielding, const Filling &fill, const Pack &expansion,

@@ -168,13 +168,6 @@ namespace whipple
 
   template <int dim>
   void
-  LagrangeStep<dim>::forget_last_state() const
-  {
-    strength_is_current_ = false;
-  }
-
-  template <int dim>
-  void
   LagrangeStep<dim>::evaluate_strength(const State<dim> &state) const
   {
     if (!work_.has_strength || strength_is_current_)

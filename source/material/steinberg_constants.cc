@@ -8,7 +8,7 @@ namespace whipple
   {
     constexpr double GPa = 0.01; // in Mbar
 
-    // Y_max, beta, n, A, B, a: D. J. Steinberg, UCRL-MA-106439, as typed in the Uintah material files.
+    // Y_max, beta, n, A, B, a: [Steinberg1996], as typed in the material files of [Uintah].
     std::vector<SteinbergConstants>
     make_table()
     {

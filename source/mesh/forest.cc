@@ -252,6 +252,13 @@ namespace whipple
   }
 
   template <int dim>
+  std::size_t
+  Forest<dim>::first_leaf() const
+  {
+    return implementation_->all.first[implementation_->rank];
+  }
+
+  template <int dim>
   const Lattice<dim> &
   Forest<dim>::lattice() const
   {

@@ -58,13 +58,13 @@ namespace whipple
     MPI_Allreduce(MPI_IN_PLACE, &n_cells, 1, MPI_UINT64_T, MPI_SUM, communicator_);
     if (n_cells == 0)
       return;
-    const std::string stem = "fields/" + numbered("fields-", count_++);
+    const std::string stem = "fields/" + numbered("fields-", series_.count++);
     if (options_.hdf5)
       {
-        series_.push_back(snapshot_hdf5::write(snapshot, directory_ + '/' + stem + ".h5", stem + ".h5", stage,
-                                               snapshot_hdf5::Precision::single_precision, communicator_));
+        series_.grids.push_back(snapshot_hdf5::write(snapshot, directory_ + '/' + stem + ".h5", stem + ".h5", stage,
+                                                     snapshot_hdf5::Precision::single_precision, communicator_));
         if (rank == 0)
-          snapshot_hdf5::write_series(directory_ + "/fields.xdmf", series_);
+          snapshot_hdf5::write_series(directory_ + "/fields.xdmf", series_.grids);
       }
     if (options_.vtu)
       snapshot_vtu::write(snapshot, directory_ + '/' + stem + ".vtu", communicator_);

@@ -66,13 +66,13 @@ namespace whipple
     }
   } // namespace
 
-  RunLog::RunLog(const std::string &directory, MPI_Comm communicator, bool live)
-    : RunLog(directory, communicator, std::cout, live, live ? terminal_interval_live : terminal_interval_plain)
+  RunLog::RunLog(const std::string &directory, MPI_Comm communicator, bool live, Earlier earlier)
+    : RunLog(directory, communicator, std::cout, live, live ? terminal_interval_live : terminal_interval_plain, earlier)
   {
   }
 
   RunLog::RunLog(const std::string &directory, MPI_Comm communicator, std::ostream &terminal, bool live,
-                 double interval_seconds)
+                 double interval_seconds, Earlier earlier)
     : active_(is_rank_0(communicator))
     , communicator_(communicator)
     , terminal_(terminal)
@@ -83,7 +83,7 @@ namespace whipple
     if (!active_)
       return;
     const std::string path = directory + "/log.txt";
-    file_.open(path);
+    file_.open(path, earlier == Earlier::kept ? std::ios::app : std::ios::trunc);
     if (!file_)
       throw InputError(path + ": cannot be written");
   }

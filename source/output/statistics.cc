@@ -4,6 +4,8 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
+#include <system_error>
 
 namespace whipple
 {
@@ -25,15 +27,38 @@ namespace whipple
       const auto           end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
       out.write(text.data(), end - text.data());
     }
+
+    /// Cut a table back to what stands. @returns its columns
+    std::vector<std::string>
+    cut_back(const std::string &path, std::uint64_t bytes)
+    {
+      std::error_code     failure;
+      const std::uint64_t present = std::filesystem::file_size(path, failure);
+      if (failure || present < bytes)
+        throw InputError(path + ": is shorter than the " + std::to_string(bytes) + " bytes that were written to it");
+      std::filesystem::resize_file(path, bytes);
+      std::ifstream            file(path);
+      std::string              line, name;
+      std::vector<std::string> columns;
+      std::getline(file, line);
+      for (std::istringstream names(line); std::getline(names, name, ',');)
+        columns.push_back(name);
+      return columns;
+    }
   } // namespace
 
-  Statistics::Statistics(const std::string &directory, MPI_Comm communicator)
+  Statistics::Statistics(const std::string &directory, MPI_Comm communicator, std::uint64_t kept)
     : active_(is_rank_0(communicator))
   {
     if (!active_)
       return;
     const std::string path = directory + "/statistics.csv";
-    file_.open(path);
+    if (kept > 0)
+      {
+        columns_ = cut_back(path, kept);
+        kept_    = kept;
+      }
+    file_.open(path, kept > 0 ? std::ios::app : std::ios::trunc);
     if (!file_)
       throw InputError(path + ": cannot be written");
   }
@@ -48,6 +73,7 @@ namespace whipple
         for (const StatisticsEntry &entry : row)
           {
             file_ << (columns_.empty() ? "" : ",") << entry.name;
+            kept_ += entry.name.size() + 1; // with the comma or line end behind it
             columns_.emplace_back(entry.name);
           }
         file_ << '\n';
@@ -73,7 +99,11 @@ namespace whipple
   Statistics::keep()
   {
     if (active_)
-      file_ << waiting_.str();
+      {
+        const std::string rows = waiting_.str();
+        file_ << rows;
+        kept_ += rows.size();
+      }
     forget();
   }
 
@@ -86,7 +116,6 @@ namespace whipple
   void
   Statistics::flush()
   {
-    keep();
     if (active_)
       file_.flush();
   }

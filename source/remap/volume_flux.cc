@@ -16,11 +16,11 @@ namespace whipple
     /// A face that sweeps less than this share of the donor moves nothing: it is round-off.
     constexpr double least_share = 1e-15;
 
-    /// Less of a material than this share of the donor's volume stays there, unless the receiver has some: a crumb that
+    /// Less of a material than this share of the donor's volume stays there, unless the receiver has some: a trace that
     /// would begin a state in a cell of its own (doc/theory/traces.md).
     constexpr double least_entry = 1e-10;
 
-    /// A crumb that fills less than this share of its cell stays there: handed on it would shrink to nothing.
+    /// A trace that fills less than this share of its cell stays there: handed on it would shrink to nothing.
     constexpr double least_held = 1e-30;
 
     /// The box of the donor that leaves through one of its sides: true volume `share` of the cell, transverse extent
@@ -229,7 +229,7 @@ namespace whipple
               drop_outflow(topology, c, given, flux[m]);
               continue;
             }
-          // a crumb goes as a whole: shared out again and again it would shrink to nothing
+          // a trace goes as a whole: shared out again and again it would shrink to nothing
           const double least =
               held < least_entry * state.volume[c] ? second_largest_outflow(topology, c, flux[m]) : least_share * given;
           drop_outflow(topology, c, least, flux[m]);

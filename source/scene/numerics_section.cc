@@ -25,7 +25,8 @@ namespace whipple::sections
     declare("Quadratic viscosity", defaults.hydro.quadratic_viscosity, "coefficient of the artificial viscosity");
     declare("Hourglass coefficient", defaults.hydro.hourglass, "resistance to hourglass motion");
     section.declare("Remap order", std::to_string(defaults.remap_order), "1: donor cell; 2: limited linear");
-    section.declare("Inject failure at step", "none", "test hook: the state goes bad in this step of the run");
+    section.declare("Inject failure at step", "none", "test hook: the state goes bad in this step of the run ...");
+    section.declare("Injected failures", "always", "... always | in so many tries of it");
   }
 
   Numerics
@@ -46,6 +47,8 @@ namespace whipple::sections
     numerics.remap_order               = section.integer("Remap order", 1, 2);
     if (section.text("Inject failure at step") != "none")
       numerics.inject_failure_at_step = section.integer("Inject failure at step", 1, 1000000000);
+    if (section.text("Injected failures") != "always")
+      numerics.injected_failures = section.integer("Injected failures", 0, 1000);
     return numerics;
   }
 } // namespace whipple::sections

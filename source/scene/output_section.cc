@@ -15,6 +15,10 @@ namespace whipple::sections
     section.declare("Fields interval", "none", "none | time between field files; each stage also writes its end");
     section.declare("Formats", "hdf5", "of the field files: hdf5 (with XDMF), vtu, or both");
     section.declare("Statistics interval", "0 us", "time between lines of statistics.csv; 0 us: every step");
+    section.declare("Checkpoint interval", "10 min",
+                    "none | wall time between checkpoints; each stage also ends with one (whipple run --resume DIR)");
+    section.declare("Wall time limit", "none",
+                    "none | wall time after which the run stops with a checkpoint, exit status 3");
     section.declare("Error estimate", "none",
                     "none | 2 | 3 | 4: cell sizes (own, twice, four times ...) that error bars are taken from");
   }
@@ -26,6 +30,9 @@ namespace whipple::sections
     OutputControl      output;
     output.fields_interval     = section.optional_positive("Fields interval", units::time);
     output.statistics_interval = section.non_negative("Statistics interval", units::time);
+    const auto seconds         = [](std::optional<double> us) { return us ? std::optional<double>(1e-6 * *us) : us; };
+    output.checkpoint_interval = seconds(section.optional_positive("Checkpoint interval", units::time));
+    output.wall_time_limit     = seconds(section.optional_positive("Wall time limit", units::time));
     if (section.text("Error estimate") != "none")
       output.error_estimate_levels = section.integer("Error estimate", 2, 4);
     output.hdf5 = false;

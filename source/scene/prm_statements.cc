@@ -118,7 +118,12 @@ namespace whipple
   read_prm_statements(const std::string &file)
   {
     std::ifstream input = open_text(file);
+    return read_prm_statements(input, file);
+  }
 
+  std::vector<PrmStatement>
+  read_prm_statements(std::istream &input, const std::string &file)
+  {
     std::vector<PrmStatement> statements;
     std::vector<std::string>  path;
     std::set<std::string>     names;

@@ -33,6 +33,8 @@ namespace whipple::units
         Unit{"kg", 1, 3, {0, 1, 0, 0}},
         Unit{"g", 1, 0, {0, 1, 0, 0}},
         Unit{"mg", 1, -3, {0, 1, 0, 0}},
+        Unit{"h", 36, 8, time.dimension},
+        Unit{"min", 6, 7, time.dimension},
         Unit{"s", 1, 6, time.dimension},
         Unit{"ms", 1, 3, time.dimension},
         Unit{"us", 1, 0, time.dimension},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/stage/result_table.h>
+#include <whipple/diagnostics/result_table.h>
 #include <whipple/study/analysis.h>
 #include <whipple/study/quantity_name.h>
 

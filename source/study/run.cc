@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/output/output_directory.h>
+#include <whipple/run/resume.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/scene_warnings.h>
 #include <whipple/scene/units.h>
-#include <whipple/stage/simulation.h>
 #include <whipple/study/error_estimate.h>
 #include <whipple/study/run.h>
 
@@ -15,19 +14,19 @@ namespace whipple
 {
   namespace
   {
-    void
-    prepare(const Scene<2> &scene, const std::string &directory, MPI_Comm communicator)
+    /// A run from the start, or from where it was stopped.
+    std::unique_ptr<Simulation<2>>
+    make(const Scene<2> &scene, const RunOptions &options, const std::string &directory, double wall_start,
+         MPI_Comm communicator)
     {
-      prepare_output_directory(directory, communicator);
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      if (rank == 0)
-        write_effective_parameters(scene, directory + "/parameters.prm");
+      const RunPlace place{directory, options.live, wall_start};
+      return options.resume ? go_on(scene, place, communicator) : start(scene, place, communicator);
     }
 
     /// Run the coarser scenes below DIR/error_estimate. One that stops is left out: two levels still give an error bar.
     std::vector<LevelResults>
-    run_coarser(const std::vector<Scene<2>> &scenes, const RunOptions &options, MPI_Comm communicator)
+    run_coarser(const std::vector<Scene<2>> &scenes, const RunOptions &options, double wall_start,
+                MPI_Comm communicator)
     {
       int rank = 0;
       MPI_Comm_rank(communicator, &rank);
@@ -39,12 +38,15 @@ namespace whipple
               options.output_directory + "/error_estimate/cell=" + cell.substr(0, cell.find(' ')) + "cm";
           if (rank == 0)
             std::cout << "error estimate: cells of " << cell << std::endl;
-          prepare(scene, directory, communicator);
+          const auto simulation = make(scene, options, directory, wall_start, communicator);
           try
             {
-              Simulation<2> simulation(scene, directory, options.live, communicator);
-              simulation.run();
-              levels.push_back({scene.lattice.spacing, simulation.summary().results});
+              simulation->run();
+              levels.push_back({scene.lattice.spacing, simulation->summary().results});
+            }
+          catch (const Interrupted &)
+            {
+              throw;
             }
           catch (const StateError &error)
             {
@@ -105,13 +107,14 @@ namespace whipple
       print_warnings(scene, communicator);
     if (options.validate_only || options.effects_report)
       return;
-    prepare(scene, options.output_directory, communicator);
-    std::vector<LevelResults> levels = run_coarser(coarser, options, communicator);
-    Simulation<2>             simulation(scene, options.output_directory, options.live, communicator);
-    simulation.run();
+    const double wall_start = MPI_Wtime();
+    // the directory is judged, and cleared, before the coarser runs go into it
+    const auto                simulation = make(scene, options, options.output_directory, wall_start, communicator);
+    std::vector<LevelResults> levels     = run_coarser(coarser, options, wall_start, communicator);
+    simulation->run();
     if (scene.output.error_estimate_levels == 0)
       return;
-    levels.push_back({scene.lattice.spacing, simulation.summary().results});
-    simulation.report_error_bars(error_bars(levels));
+    levels.push_back({scene.lattice.spacing, simulation->summary().results});
+    simulation->report_error_bars(error_bars(levels));
   }
 } // namespace whipple

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bonds break twice on all ranks together, and on each rank alone; bits are compared.
+#include <whipple/ledger/totals.h>
 #include <whipple/mesh/key_index.h>
-#include <whipple/stage/bond_breaking.h>
-#include <whipple/stage/totals.h>
+#include <whipple/run/bond_breaking.h>
 #include <whipple/state/packet_layout.h>
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 // Errors against an exact solution and the shock's position are the same bits on any number of ranks.
 #include "source_directory.h"
 
+#include <whipple/diagnostics/exact_errors.h>
+#include <whipple/diagnostics/shock_measure.h>
 #include <whipple/hydro/lagrange_step.h>
-#include <whipple/stage/exact_errors.h>
-#include <whipple/stage/handover.h>
-#include <whipple/stage/shock_measure.h>
+#include <whipple/run/handover.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A plate of a scene, with a hole cut into its cells, is measured to the same bits on any number of ranks, and the same
 // in a scene and its mirror image.
-#include <whipple/stage/handover.h>
-#include <whipple/stage/plate_measure.h>
+#include <whipple/diagnostics/plate_measure.h>
+#include <whipple/run/handover.h>
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ namespace
     return scene;
   }
 
-  /// Measure a plate of which nothing is left nearer than 0.153 cm to x = 0, and one crumb.
+  /// Measure a plate of which nothing is left nearer than 0.153 cm to x = 0, and one small piece.
   PlateMeasure
   measure(const Scene<2> &scene, std::size_t body, MPI_Comm communicator)
   {

@@ -98,7 +98,7 @@ namespace
   }
 } // namespace
 
-/// S. T. Zalesak, J. Comput. Phys. 31 (1979) 335-362: a disc with a slot turns once.
+/// [Zalesak1979]: a disc with a slot turns once.
 TEST(Shapes, ZalesakDisc)
 {
   Case table("Zalesak's disc, 100 x 100 cells, one turn", "the disc falls to pieces or loses volume", "remap alone");
@@ -115,7 +115,7 @@ TEST(Shapes, ZalesakDisc)
   expect_shape(table, mesh, before, state);
 }
 
-/// R. J. LeVeque, SIAM J. Numer. Anal. 33 (1996) 627-665: a vortex draws a disc out and brings it back.
+/// [LeVeque1996]: a vortex draws a disc out and brings it back.
 TEST(QuickShapes, VortexReversal)
 {
   Case             table("disc drawn out by a vortex and brought back, 64 x 64 cells, period 2",

@@ -74,8 +74,8 @@ namespace whipple::stability
             std::abs(value - reference) <= part * std::abs(reference));
     }
 
-    /// value <= bound is the goal; it is not reached (doc/limitations.md says why), and the test stands at an honest
-    /// value.
+    /// value <= bound is the goal; it is not reached (doc/limitations.md or doc/open_faults.md say why), and the test
+    /// stands at an honest value.
     void
     at_most_short(const std::string &what, double value, double bound, double honest)
     {

@@ -33,9 +33,9 @@ namespace
     *text << tube.name;
   }
 
-  /// E. F. Toro, Riemann Solvers and Numerical Methods, 3rd ed. (2009), section 4.3.3: tests 2 (1-2-3) and 3 (half of
-  /// Woodward and Colella's blast wave, pressures 1e5 apart); P. D. Lax, Comm. Pure Appl. Math. 7 (1954) 159-193;
-  /// LeBlanc: R. Loubere and M. Shashkov, J. Comput. Phys. 209 (2005) 105-138 (there on [0, 9] with t = 6, here scaled
+  /// [Toro2009], section 4.3.3: tests 2 (1-2-3) and 3 (half of
+  /// Woodward and Colella's blast wave, pressures 1e5 apart); [Lax1954];
+  /// LeBlanc: [Loubere2005] (there on [0, 9] with t = 6, here scaled
   /// to [0, 1]).
   const Tube one_two_three{"one_two_three",
                            "1-2-3: fans that part",

@@ -133,7 +133,7 @@ namespace
   }
 
   /// Gas of sound speed 1 falls onto a wall and stops in a shock that runs at Mach 6 into it; rows are denser and
-  /// thinner in turn by 1e-3 (J. J. Quirk, Int. J. Numer. Meth. Fluids 18 (1994) 555-574).
+  /// thinner in turn by 1e-3 [Quirk1994].
   class QuickOddEven : public testing::TestWithParam<const char *>
   {
   };

@@ -5,9 +5,9 @@
 #include "scene_text.h"
 #include "statistics_table.h"
 
+#include <whipple/ledger/ledger.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/output/summary.h>
-#include <whipple/stage/ledger.h>
 #include <whipple/state/fields.h>
 
 #include <memory>

@@ -4,7 +4,7 @@
 #include "hydro_case.h"
 
 #include <whipple/effect/effect.h>
-#include <whipple/stage/field_layout.h>
+#include <whipple/problem/field_layout.h>
 
 #include <cstdio>
 #include <fstream>

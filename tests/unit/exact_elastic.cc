@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Linear elastic solutions: Blake's cavity against REFERENCES C8 and the equations of motion, spall against C11.
+// Linear elastic solutions: Blake's cavity [Blake1952] against another program and the equations of motion, spall
+// against the acoustic solution.
 #include "exact_flow_check.h"
 
 #include <whipple/error.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Guderley's converging and reflected shock against REFERENCES C2 (exponents, places of the reflected shock) and
+// Guderley's converging and reflected shock against [ExactPack] (exponents, places of the reflected shock) and
 // against the equations themselves.
 #include "exact_flow_check.h"
 

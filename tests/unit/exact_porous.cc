@@ -46,7 +46,7 @@ namespace
 
   TEST(ExactPorousPiston, PrecursorAndCompactionShock)
   {
-    // roots of the jump conditions with the curve of REFERENCES D6, by the hybrid method of MINPACK
+    // roots of the jump conditions with the quadratic curve [Herrmann1969], by the hybrid method of MINPACK
     struct Row
     {
       double velocity, density, energy, speed, pressure;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The Riemann solver against REFERENCES C1 (ideal gases) and A7 (Hugoniots of solids).
+// The Riemann solver against values of another program: ideal gases (set-ups of [ExactPack]), Hugoniots of solids.
 #include "exact_flow_check.h"
 
 #include <whipple/exact/riemann.h>

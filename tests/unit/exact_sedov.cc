@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Noh and Sedov against REFERENCES C2 and against the equations themselves.
+// Noh [Noh1987] and Sedov (energies of [ExactPack]) against published values and against the equations themselves.
 #include "exact_flow_check.h"
 
 #include <whipple/error.h>

@@ -177,7 +177,7 @@ namespace
 
   TEST(ExactSoundWave, SolvesTheLinearEquations)
   {
-    EXPECT_NEAR(exact::bessel_j1_zero(1), 3.8317059702075123, 1e-13); // Abramowitz & Stegun, table 9.5
+    EXPECT_NEAR(exact::bessel_j1_zero(1), 3.8317059702075123, 1e-13); // [Abramowitz1964], table 9.5
     EXPECT_NEAR(exact::bessel_j1_zero(3), 10.173468135062722, 1e-13);
     for (const Symmetry symmetry : {Symmetry::planar, Symmetry::axisymmetric})
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Piston and plate impact of elastic-plastic solids against REFERENCES C4, C5, C6, A7 and against the jump conditions.
+// Piston and plate impact of elastic-plastic solids against [ExactPack], against values of another program for the
+// set-ups of [Maire2013] and [Wilkins1964], and against the jump conditions.
 #include "exact_flow_check.h"
 
 #include <whipple/error.h>
@@ -32,7 +33,7 @@ namespace
   }
 
   /// Mie-Grueneisen with a constant Gamma: P = K chi / (1 - s chi)^2 (1 - Gamma mu / 2) + Gamma gamma e. The form with
-  /// which REFERENCES C4 was computed; Whipple's own keeps Gamma gamma constant.
+  /// which [ExactPack] computes; Whipple's own keeps Gamma gamma constant.
   class ConstantGamma : public EquationOfState
   {
   public:
@@ -211,7 +212,7 @@ namespace
     EXPECT_NEAR(impact.at(0.4, 0.8).pressure, 2.785 * us * u, 1e-9);
     EXPECT_NEAR(*impact.shock_position(0.8), 0.8 * us, 1e-9);
     exact_check::expect_shock(impact, 0.8 * us, 0.8);
-    // released face: REFERENCES A6
+    // released face: along the exact isentrope, by another program
     const auto released = impact.at(1.25, 1.4);
     EXPECT_NEAR(released.velocity / (2. * u), 1.029, 5e-4);
     EXPECT_EQ(released.pressure < 1e-9, true);

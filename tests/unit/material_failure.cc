@@ -135,7 +135,7 @@ namespace whipple
     EXPECT_NEAR(after(JohnsonCookDamage(nothing, nullptr), {.pressure = -0.004, .strain = 1e-4}), 1e-4 / 0.01, 1e-12);
   }
 
-  // The fit ends at s = 1.5 (G. R. Johnson, W. H. Cook 1985; LS-DYNA holds s there too): nothing changes below it.
+  // The fit ends at s = 1.5 ([Johnson1985]; LS-DYNA holds s there too): nothing changes below it.
   TEST(JohnsonCookDamage, FitsThatKeepTheirDuctilityAreHeldAtTheirEnd)
   {
     JohnsonCookDamage::Constants steel; // 4340

@@ -44,7 +44,7 @@ namespace
     return p;
   }
 
-  /// The crush curve as REFERENCES D6 has it, alpha of P.
+  /// The quadratic crush curve [Herrmann1969], alpha of P.
   double
   crush_curve(const PAlphaVoidLaw::Constants &c, double bulk_pressure)
   {

@@ -316,7 +316,7 @@ namespace whipple
 
   TEST(ThermalModel, NearTheAluminiumOfAneos)
   {
-    // REFERENCES: Thompson and Lauson's aluminium melts at P = 0 from 0.664 to 1.062 MJ/kg above its reference. A
+    // The aluminium of [Thompson1972] melts at P = 0 from 0.664 to 1.062 MJ/kg above its reference. A
     // specific heat of 300 K is too small for hot aluminium: short of both, by 8.1 and 5.1 %.
     const auto t = ConstantSpecificHeat(aluminium(), with_phases()).transitions();
     EXPECT_NEAR(t.melt_onset, 0.00664, 0.085 * 0.00664);

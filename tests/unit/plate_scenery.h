@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/stage/plate_measure.h>
+#include <whipple/diagnostics/plate_measure.h>
 
 #include <gtest/gtest.h>
 

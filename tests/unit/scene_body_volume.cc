@@ -98,7 +98,7 @@ namespace
                 1., 1e-13);
   }
 
-  // Painted cells must be exactly full inside a body: no crumbs of open void.
+  // Painted cells must be exactly full inside a body: no traces of open void.
   TEST(SceneBodyVolume, CellsInsideAreFullToTheBit)
   {
     const Vector<2>      lower{0.0123, -0.1877}, upper{0.0163, -0.1837};

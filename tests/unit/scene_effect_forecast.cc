@@ -35,7 +35,7 @@ namespace
 
   TEST(EffectForecast, ImpedanceMatchOfTheShield)
   {
-    // aluminium 2024 on itself at 6.58 km/s: rho0 (c0 + s u) u with u = 3.29 km/s is 89.15 GPa (REFERENCES A7: 89.2)
+    // aluminium 2024 on itself at 6.58 km/s: rho0 (c0 + s u) u with u = 3.29 km/s is 89.15 GPa (another program: 89.2)
     const std::vector<Encounter> all = encounters(read_scene<2>(shield));
     ASSERT_EQ(all.size(), 2u); // on the bumper and, if nothing stops it, on the wall
     EXPECT_NEAR(all[0].pressure, 2.785 * (0.5328 + 1.338 * 0.329) * 0.329, 1e-6);

@@ -46,7 +46,7 @@ namespace
     EXPECT_FALSE(convergence::order_of_values({4, 1.}, {2, 2.}, {1, 2.}));
   }
 
-  // Celik et al. (2008), table 1, phi = reattachment length: r21 = 1.5, r32 = 1.333, phi = 6.063, 5.972, 5.863 gives
+  // [Celik2008], table 1, phi = reattachment length: r21 = 1.5, r32 = 1.333, phi = 6.063, 5.972, 5.863 gives
   // p = 1.53, phi_ext = 6.1685, GCI = 2.2 %.
   TEST(StudyConvergence, PublishedExample)
   {

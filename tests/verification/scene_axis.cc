@@ -35,7 +35,7 @@ namespace
           double &densest = density[mesh.cell_node[4 * c + k]];
           densest         = std::max(densest, mass / state.volume[c]);
         }
-    constexpr double least = 3e-3; // g/cm^3, a thousandth of the solid: crumbs do not count
+    constexpr double least = 3e-3; // g/cm^3, a thousandth of the solid: traces do not count
     const auto       angle = [&](const Index n) {
       return 180. / std::numbers::pi * std::atan2(state.position[0][n], state.position[1][n] - middle);
     };

@@ -64,7 +64,7 @@ namespace
         run("verification/copper_taylor_bar.prm",
             {"Stages/impact/Mode = " + mode, "Mesh/Finest cell = 0.04 cm", "Output/Fields interval = none"},
             "taylor_" + mode);
-    // the band of published codes, REFERENCES C10, and 3 % about it
+    // the band of published codes [TaylorBar], and 3 % about it
     const Rod         rod  = measure_rod(*simulation, mode == "lagrangian");
     const std::string what = "copper Taylor bar, " + mode + ": ";
     figure::record(what + "length, cm", rod.length, "2.142 ... 2.147, 3 % about it");

@@ -22,7 +22,7 @@ namespace
     double                   elastic_from, elastic_to, plastic_from, plastic_to; ///< plateaus
   };
 
-  /// P.-H. Maire et al., J. Comput. Phys. 235 (2013) 626; REFERENCES C5.
+  /// [Maire2013]; roots of the jump conditions by another program.
   const Fronts copper{"copper piston",
                       "verification/copper_piston.prm",
                       "Stages/piston/Mode",
@@ -43,7 +43,7 @@ namespace
                       10.,
                       55.};
 
-  /// M. L. Wilkins, Meth. Comput. Phys. 3 (1964); REFERENCES C6.
+  /// [Wilkins1964]; roots of the jump conditions by another program.
   const Fronts wilkins{"flying plate",
                        "verification/flying_plate.prm",
                        "Stages/impact/Mode",

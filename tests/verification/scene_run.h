@@ -4,8 +4,8 @@
 #include "source_directory.h"
 
 #include <whipple/output/output_directory.h>
+#include <whipple/run/simulation.h>
 #include <whipple/scene/scene.h>
-#include <whipple/stage/simulation.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace whipple::verification
     std::filesystem::create_directories("verification_output");
     prepare_output_directory(directory, MPI_COMM_SELF);
     auto simulation = std::make_unique<Simulation<2>>(read_scene<2>(source_directory() + "/prm/" + scene, overrides),
-                                                      directory, false, MPI_COMM_SELF);
+                                                      RunPlace{directory}, MPI_COMM_SELF);
     simulation->run();
     return simulation;
   }

@@ -13,7 +13,7 @@ namespace
   using verification::falls_through;
   using verification::mean;
 
-  /// Mie-Grueneisen Al 2024-T4 at an impact velocity of 0.658 cm/us: exact Hugoniot (REFERENCES A7) and release.
+  /// Mie-Grueneisen Al 2024-T4 at an impact velocity of 0.658 cm/us: exact Hugoniot and release.
   class ScenePlateImpact : public testing::TestWithParam<const char *>
   {
   };
@@ -46,7 +46,7 @@ namespace
   INSTANTIATE_TEST_SUITE_P(Modes, ScenePlateImpact, testing::Values("eulerian", "lagrangian"),
                            [](const auto &info) { return std::string(info.param); });
 
-  /// Elastic-plastic piston, hypoelastic exact solution (REFERENCES C4).
+  /// Elastic-plastic piston, hypoelastic exact solution [ExactPack].
   class ScenePiston : public testing::TestWithParam<const char *>
   {
   };

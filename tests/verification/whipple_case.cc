@@ -3,7 +3,7 @@
 #include "../figure.h"
 #include "scene_run.h"
 
-#include <whipple/stage/totals.h>
+#include <whipple/ledger/totals.h>
 
 #include <cmath>
 

@@ -12,7 +12,8 @@
 /// The command line of the program itself (the launcher ./whipple installs and builds first, then passes it on).
 namespace whipple::command_line
 {
-  /// `run SCENE [-n RANKS] [--set 'Section/Sub/Name = value']... [--output DIR] [--validate]`
+  /// `run SCENE [-n RANKS] [--set 'Section/Sub/Name = value']... [--output DIR] [--validate]`, or
+  /// `run --resume DIR [-n RANKS] [--set ...]`
   struct Run
   {
     RunOptions options;

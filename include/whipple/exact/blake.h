@@ -14,7 +14,7 @@ namespace whipple::exact
   /// and what follows from the displacement u: velocity, stress, p = -K div u, rho = rho0 (1 - div u). Small strain,
   /// the coordinate is that of the undeformed solid.
   ///
-  /// F. G. Blake, J. Acoust. Soc. Am. 24 (1952) 211; REFERENCES C8; doc/theory/exact_solid.md.
+  /// [Blake1952]; doc/theory/exact_solid.md.
   class Blake : public Profile
   {
   public:

@@ -11,7 +11,7 @@ namespace whipple::exact
   ///
   ///   u = r / t,   rho = rho1 r^b t^(-b-n),   p = p1 t^(-k n),   e = p / ((k - 1) rho).
   ///
-  /// Solution 1 of S. V. Coggeshall, Phys. Fluids A 3 (1991) 757-769, for any b. Solution 8 of the same paper is this
+  /// Solution 1 of [Coggeshall1991], for any b. Solution 8 of the same paper is this
   /// flow with b = (n - 2) / (beta - alpha + 4), at which a heat flux ~ rho^alpha T^(beta+3) grad T has no divergence.
   /// doc/theory/exact_gas.md.
   class Coggeshall : public Profile

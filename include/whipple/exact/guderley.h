@@ -14,8 +14,8 @@ namespace whipple::exact
   ///   u = alpha A^(1/alpha) r^(1 - 1/alpha) v(x),   c^2 = (alpha A^(1/alpha) r^(1 - 1/alpha))^2 w(x),   rho = rho0
   ///   G(x)
   ///
-  /// with v = U / x and w = Z / x^2 of SelfSimilarFlow, smooth through x = 0. G. Guderley, Luftfahrtforschung 19 (1942)
-  /// 302; R. B. Lazarus, SIAM J. Numer. Anal. 18 (1981) 316; doc/theory/exact_gas.md.
+  /// with v = U / x and w = Z / x^2 of SelfSimilarFlow, smooth through x = 0. [Guderley1942], [Lazarus1981];
+  /// doc/theory/exact_gas.md.
   class Guderley : public Profile
   {
   public:

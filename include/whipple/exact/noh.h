@@ -11,7 +11,7 @@ namespace whipple::exact
   ///   ahead  (r > D t): rho = rho0 (1 + U t / r)^(n - 1), u = -U, p = 0, e = 0,
   ///   behind (r < D t): rho = rho0 ((k + 1) / (k - 1))^n, u = 0, e = U^2 / 2, p = (k - 1) rho e.
   ///
-  /// W. F. Noh, J. Comput. Phys. 72 (1987) 78-120; doc/theory/exact_gas.md.
+  /// [Noh1987]; doc/theory/exact_gas.md.
   class Noh : public Profile
   {
   public:

@@ -12,8 +12,7 @@ namespace whipple::exact
   /// states between the fronts of UniaxialLoading. What has passed the piston (a fixed mesh goes on behind it) has the
   /// state at the piston. Known until the first front comes back from the other end of the body.
   ///
-  /// T. Lieberman's elastic-plastic piston of ExactPack with the hypoelastic law, REFERENCES C4;
-  /// doc/theory/exact_solid.md.
+  /// The piston of ep_piston [ExactPack] with the hypoelastic law; doc/theory/exact_solid.md.
   class Piston : public Profile
   {
   public:

@@ -14,7 +14,7 @@ namespace whipple::exact
   /// strength, what the first reflected wave has reached is not known. Nor is what releases that cross the common face
   /// have reached.
   ///
-  /// REFERENCES A7, C6; doc/theory/exact_solid.md.
+  /// doc/theory/exact_solid.md.
   class PlateImpact : public Profile
   {
   public:

@@ -7,7 +7,7 @@ namespace whipple::exact
 {
   /// Sedov's explosion: energy E set free at time 0 in a plane, line or point (n = 1, 2, 3) of a cold uniform ideal
   /// gas. The shock is at R = (E / (alpha rho0))^(1/(n+2)) t^(2/(n+2)); behind it everything is a function of r / R in
-  /// closed form (notation of J. R. Kamm and F. X. Timmes, LA-UR-07-2849), of which alpha is an integral.
+  /// closed form (notation of [Kamm2007]), of which alpha is an integral.
   /// doc/theory/exact_gas.md.
   class Sedov : public Profile
   {

@@ -16,7 +16,7 @@ namespace whipple::exact
   ///
   /// of which the part K / (rho c^2) is pressure. Tension rho c V / 2 first appears at X = H - h, the distance h from
   /// the free face, at t = (H + h) / c. Where a tension S < rho c V / 2 already parts the material, it does so there
-  /// and then, and the velocity of the free face, V until then, falls by 2 S / (rho c) (pull-back). REFERENCES C11;
+  /// and then, and the velocity of the free face, V until then, falls by 2 S / (rho c) (pull-back);
   /// doc/theory/exact_solid.md.
   class Spall : public Profile
   {

@@ -24,8 +24,8 @@ namespace whipple::closure
   ///
   /// The first term closes the void before anything is compressed. The second lets material under pressure that nearly
   /// fills the cell be compressed with it (w = f), or void that comes back with every remap would keep it from ever
-  /// resisting; a wisp in a cell that closes is left alone, or it would have to carry all the cell's load, and a gap
-  /// in a cell closes before its two sides press on each other.
+  /// resisting; a little material in a cell that closes is left alone, or it would have to carry all the cell's load,
+  /// and a gap in a cell closes before its two sides press on each other.
   /// @param filled f = sum V_m / V
   /// @param strain -dV / V > 0
   template <typename Number, typename Mask>

@@ -4,7 +4,7 @@
 #include <whipple/hydro/velocity_gradient.h>
 
 /// Viscous resistance to the one nodal motion a quadrilateral with a single stress does not feel, after
-/// Flanagan and Belytschko (Int. J. Numer. Meth. Engng 17, 1981).
+/// [Flanagan1981].
 /// Equations: doc/theory/lagrange_step.md, section "Hourglass".
 namespace whipple::hourglass
 {

@@ -36,7 +36,7 @@ namespace whipple
   /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
   /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
   ///
-  /// One object serves one mesh; it owns all work arrays, so a step allocates nothing. All methods run over
+  /// One object belongs to one mesh; it owns all work arrays, so a step allocates nothing. All methods run over
   /// owned and halo cells; only owned cells are reported and can throw.
   template <int dim>
   class LagrangeStep
@@ -55,11 +55,6 @@ namespace whipple
     /// every cell (0 where there is no mass). Where the equation of state gives c^2 < 0 the speed is 0.
     void
     update_pressure(State<dim> &state) const;
-
-    /// The state is another one than before, though no pressure of it is missing (a step was undone): nothing that was
-    /// evaluated of the last one holds.
-    void
-    forget_last_state() const;
 
     /// The largest time step that the owned cells allow, but for those that keep their shape.
     TimeStepLimit
@@ -101,6 +96,6 @@ namespace whipple
     mutable StepWork<dim>        work_;
 
     mutable material_passes::Scratch scratch_;
-    mutable bool                     strength_is_current_ = false; ///< strength evaluated of this state
+    mutable bool                     strength_is_current_ = false; ///< strength evaluated since update_pressure()
   };
 } // namespace whipple

@@ -3,7 +3,7 @@
 
 #include <whipple/hydro/pack.h>
 
-/// Elastic-plastic flow of the solid with the radial return of Wilkins. Number is double or Pack.
+/// Elastic-plastic flow of the solid with the radial return of [Wilkins1964]. Number is double or Pack.
 /// Equations: doc/theory/lagrange_step.md, section "Strength".
 namespace whipple::plasticity
 {

@@ -4,8 +4,8 @@
 #include <whipple/hydro/velocity_gradient.h>
 #include <whipple/hydro/viscosity.h>
 
-/// Tensor viscosity in the directions of principal compression, the fourth kind of Kolev and Rieben, J. Comput. Phys.
-/// 228 (2009) 8336-8366, with the limiter of the scalar one. Equations: doc/theory/viscosity.md.
+/// Tensor viscosity in the directions of principal compression, the fourth kind of [Kolev2009], with the limiter of the
+/// scalar one. Equations: doc/theory/viscosity.md.
 namespace whipple::viscosity
 {
   /// Symmetric stress in the plane of motion, tension positive, Mbar.

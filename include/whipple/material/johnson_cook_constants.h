@@ -8,7 +8,7 @@
 
 namespace whipple
 {
-  /// Constants of Johnson and Cook's flow stress and failure strain for one material.
+  /// Constants of the flow stress [Johnson1983] and failure strain [Johnson1985] for one material.
   struct JohnsonCookConstants
   {
     std::string material;

@@ -6,7 +6,7 @@
 namespace whipple
 {
   /// Melting temperature of a solid over that at its reference density, by Lindemann's rule with Gamma varying as in
-  /// Steinberg and Guinan: exp[2 a (1 - v)] v^(-2 (Gamma0 - a - 1/3)), v = gamma0 / gamma.
+  /// [Steinberg1980]: exp[2 a (1 - v)] v^(-2 (Gamma0 - a - 1/3)), v = gamma0 / gamma.
   struct LindemannMelting
   {
     double grueneisen        = 0; ///< Gamma0

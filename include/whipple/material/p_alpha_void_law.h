@@ -14,7 +14,7 @@ namespace whipple
   ///
   /// and are gone at P >= P_c. Below the curve alpha is frozen, so pores never grow under pressure. Tension of the
   /// solid beyond the spall strength opens pores to P_s = 0; material that is looser than phi0 closes to phi0 without
-  /// resistance. W. Herrmann, J. Appl. Phys. 40 (1969) 2490, with the quadratic curve; doc/theory/voids.md.
+  /// resistance. [Herrmann1969], with the quadratic curve; doc/theory/voids.md.
   class PAlphaVoidLaw : public VoidLaw
   {
   public:

@@ -15,8 +15,8 @@ namespace whipple
   smooth_slopes(std::span<const double> x, std::span<const double> y);
 
   /// Slopes of a piecewise cubic that is monotone wherever the points are: smooth_slopes(), but 0 at an extremum and at
-  /// most `limit` times the smaller of the two neighbouring secants. limit <= 3 keeps the cubic monotone (F. N. Fritsch
-  /// and R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238); limit <= 1.5 keeps its Bezier polygon monotone, too.
+  /// most `limit` times the smaller of the two neighbouring secants. limit <= 3 keeps the cubic monotone
+  /// [Fritsch1980]; limit <= 1.5 keeps its Bezier polygon monotone, too.
   /// @param x strictly ascending, at least two.
   std::vector<double>
   monotone_slopes(std::span<const double> x, std::span<const double> y, double limit);

@@ -38,6 +38,10 @@ namespace whipple
     std::span<const CellKey>
     all_leaves() const;
 
+    /// Where this rank's leaves begin among all of them.
+    std::size_t
+    first_leaf() const;
+
     const Lattice<dim> &
     lattice() const;
 

@@ -10,7 +10,7 @@
 namespace whipple
 {
   /// Hash table from cell keys to indices (linear probing, at most half full); std::unordered_map costs several
-  /// times as much. Serves as a set too. It cannot be iterated, so nothing can depend on its internal order.
+  /// times as much. It can be used as a set too. It cannot be iterated, so nothing can depend on its internal order.
   class KeyIndex
   {
   public:

@@ -20,7 +20,7 @@ namespace whipple
   ///
   /// Saltzman, with L the longer edge of the domain, along xi, W the shorter one, along eta, both from `lower`:
   ///     xi' = xi + (W - eta) sin(pi xi / L),
-  /// with L = 1, W = 0.1 that of J. Saltzman and P. Colella (Los Alamos, 1985). One to one if pi W < L.
+  /// with L = 1, W = 0.1 that of [Saltzman1985]. One to one if pi W < L.
   ///
   /// Polar, with radius r = x_0 and angle phi = pi/2 (x_1 - lower_1) / (upper_1 - lower_1):
   ///     (r cos phi, r sin phi),

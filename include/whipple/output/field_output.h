@@ -21,6 +21,13 @@ namespace whipple
     bool empty_cells = false; ///< also active cells without material
   };
 
+  /// The field files written so far.
+  struct FieldSeries
+  {
+    int                      count = 0; ///< number of the next files
+    std::vector<std::string> grids;     ///< XDMF grid of each time
+  };
+
   /// Fields of a run for ParaView: DIR/fields.xdmf is the time series of the whole chain of stages,
   /// DIR/fields/fields-NNNNN.h5 the data of one time. Elements are drawn where the nodes are (deformed in a
   /// Lagrangian stage); cell fields are one value a cell (XDMF attributes on cells, single precision), velocity
@@ -47,7 +54,20 @@ namespace whipple
     int
     count() const
     {
-      return count_;
+      return series_.count;
+    }
+
+    const FieldSeries &
+    series() const
+    {
+      return series_;
+    }
+
+    /// Go on after the files of a series: those written since are overwritten.
+    void
+    go_on(const FieldSeries &series)
+    {
+      series_ = series;
     }
 
   private:
@@ -56,8 +76,7 @@ namespace whipple
     FieldOutputOptions       options_;
     MPI_Comm                 communicator_;
     DerivedFields<dim>       derived_;
-    std::vector<std::string> series_;    ///< XDMF grid of each time
-    int                      count_ = 0; ///< number of the next files
+    FieldSeries              series_;
   };
 
   /// Write everything a rank holds in its owned cells, in double precision and with cell keys, masses and

@@ -30,15 +30,22 @@ namespace whipple
   class RunLog
   {
   public:
-    /// Opens (truncates) directory/log.txt. Terminal output goes to standard output.
+    /// What is there already of a log.
+    enum class Earlier
+    {
+      replaced,
+      kept ///< lines are added to it
+    };
+
+    /// Opens directory/log.txt. Terminal output goes to standard output.
     /// @param live refresh the progress line in place (a terminal); otherwise a plain line now and then
     /// @throws InputError if the file cannot be written.
-    RunLog(const std::string &directory, MPI_Comm communicator, bool live);
+    RunLog(const std::string &directory, MPI_Comm communicator, bool live, Earlier earlier = Earlier::replaced);
 
     /// The same with the terminal given by the caller; `interval_seconds` is the least time between two progress
     /// lines on it.
     RunLog(const std::string &directory, MPI_Comm communicator, std::ostream &terminal, bool live,
-           double interval_seconds);
+           double interval_seconds, Earlier earlier = Earlier::replaced);
 
     /// Ends a pending progress line.
     ~RunLog();
@@ -69,6 +76,14 @@ namespace whipple
     warnings() const
     {
       return warnings_;
+    }
+
+    /// Count on from the warnings of an earlier part of the run (rank 0).
+    void
+    count_from(int warnings)
+    {
+      if (active_)
+        warnings_ = warnings;
     }
 
     /// Seconds since the log was opened.

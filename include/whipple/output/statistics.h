@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <fstream>
 #include <span>
 #include <sstream>
@@ -26,8 +27,10 @@ namespace whipple
   class Statistics
   {
   public:
-    /// @throws InputError if the file cannot be written.
-    Statistics(const std::string &directory, MPI_Comm communicator);
+    /// @param kept bytes of a table begun before that stand (as kept_bytes() said); what follows them is cut off. 0: a
+    ///             new table
+    /// @throws InputError if the file cannot be written, or is shorter than that.
+    Statistics(const std::string &directory, MPI_Comm communicator, std::uint64_t kept = 0);
 
     /// Append a row.
     /// @throws Error if names differ from those of the first row.
@@ -42,14 +45,22 @@ namespace whipple
     void
     forget();
 
-    /// Bring all rows to disk.
+    /// Bring the rows that are kept to disk.
     void
     flush();
+
+    /// Bytes of the table so far, rows that wait not among them (0 on ranks other than 0).
+    std::uint64_t
+    kept_bytes() const
+    {
+      return kept_;
+    }
 
   private:
     bool                     active_; ///< this is rank 0
     std::ofstream            file_;
     std::ostringstream       waiting_;
     std::vector<std::string> columns_;
+    std::uint64_t            kept_ = 0;
   };
 } // namespace whipple

@@ -19,7 +19,8 @@ namespace whipple
   public:
     VolumeFlux(const FlatMesh<dim> &mesh, const RemapParameters &parameters);
 
-    /// Fill the arrays below for one axis; `swept` is what the lower cell of each face gains. Counts flotsam.
+    /// Fill the arrays below for one axis; `swept` is what the lower cell of each face gains. Counts what nearly empty
+    /// donors give away.
     /// @throws StateError where an owned donor would give more than it holds or material would leave the active
     ///   region inside the domain.
     void

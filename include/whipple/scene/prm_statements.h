@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ namespace whipple
   /// twice.
   std::vector<PrmStatement>
   read_prm_statements(const std::string &file);
+
+  /// The same of a text. @param name that errors call it by
+  std::vector<PrmStatement>
+  read_prm_statements(std::istream &input, const std::string &name);
 
   /// "Section/Sub/Name = value" as an assignment.
   /// @throws InputError if there is no '=' or no name.

@@ -142,7 +142,8 @@ namespace whipple
     double          growth_limit    = 1.1;  ///< largest ratio of one time step to the last, > 1
     int             remap_order     = 2;    ///< 1 or 2
 
-    std::optional<int> inject_failure_at_step; ///< test hook: the state goes bad in this step (counted from 1)
+    std::optional<int> inject_failure_at_step; ///< test hook: the state goes bad in this step (counted from 1) ...
+    int                injected_failures = std::numeric_limits<int>::max(); ///< ... and in so many tries of it
   };
 
   struct OutputControl
@@ -151,6 +152,8 @@ namespace whipple
     bool                  hdf5                = true; ///< HDF5 + XDMF
     bool                  vtu                 = false;
     double                statistics_interval = 0; ///< us; 0: every step
+    std::optional<double> checkpoint_interval;     ///< s of wall time; none: checkpoints at the ends of stages only
+    std::optional<double> wall_time_limit;         ///< s; none: no limit
     int error_estimate_levels = 0; ///< cell sizes, the scene's own included, that error bars are taken from; 0: none
   };
 

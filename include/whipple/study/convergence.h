@@ -8,8 +8,7 @@
 /// What a sequence of results on finer and finer cells says about the limit: observed order, Richardson extrapolation,
 /// grid convergence index. Pure functions of numbers.
 ///
-/// Sources: P. J. Roache, J. Fluids Eng. 116 (1994) 405-413; I. B. Celik et al., J. Fluids Eng. 130 (2008) 078001;
-/// L. Eca and M. Hoekstra, J. Comput. Phys. 262 (2014) 104-130 (safety factor 3 where no order can be trusted).
+/// Sources: [Roache1994]; [Celik2008]; [Eca2014] (safety factor 3 where no order can be trusted).
 namespace whipple::convergence
 {
   /// The scheme's formal order: no error bar counts on a faster decrease.

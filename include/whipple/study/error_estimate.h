@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/diagnostics/result_table.h>
 #include <whipple/scene/scene.h>
-#include <whipple/stage/result_table.h>
 
 #include <map>
 #include <string>

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/ledger/ledger.h>
+#include <whipple/output/field_output.h>
+#include <whipple/output/run_log.h>
+#include <whipple/output/statistics.h>
+#include <whipple/output/summary.h>
+#include <whipple/run/cycle.h>
+#include <whipple/run/run_state.h>
+
+#include <string>
+
+namespace whipple
+{
+  /// Where a stage stands after a step, for those who watch.
+  struct StepNews
+  {
+    const Stage          *stage    = nullptr;
+    long                  step     = 0;
+    double                dt       = 0; ///< us
+    const AgreedTimeStep *limit    = nullptr;
+    long                  cells    = 0; ///< active cells of all ranks
+    double                fraction = 0; ///< of the stage, estimated
+  };
+
+  /// Everything a run writes while it runs: log and terminal, statistics.csv, field files, the state after a failure.
+  /// How far it has come with that is part of the run state.
+  template <int dim>
+  class Reporter
+  {
+  public:
+    /// @param resumed what an earlier part of the run has written: files are cut back to that, the log goes on; null: a
+    ///                new run
+    Reporter(const Scene<dim> &scene, const FieldLayout &layout, const std::string &directory, bool live,
+             MPI_Comm communicator, const RunBooks<dim> *resumed);
+
+    RunLog &
+    log()
+    {
+      return log_;
+    }
+
+    /// Begin a stage: one line, and the fields it starts from.
+    void
+    stage_begins(const Stage &stage, RunState<dim> &run);
+
+    /// Progress line, statistics row and field file where they are due.
+    void
+    step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run);
+
+    /// End a stage: its fields and its page of the ledger, per body where bodies can be told apart.
+    void
+    stage_ends(const Stage &stage, RunState<dim> &run);
+
+    /// One line: "bumper hole_diameter_cm 0.68 +- 0.02 (monotone)".
+    void
+    result(const std::string &place, const std::string &quantity, const summary::Result &value,
+           const summary::ErrorBar &bar);
+
+    /// Write the last good state beside the output.
+    void
+    failed(const Stage &stage, RunState<dim> &run, const std::string &reason);
+
+    /// Bring to disk what stands.
+    void
+    flush()
+    {
+      statistics_.flush();
+    }
+
+    /// The steps so far stand.
+    void
+    steps_stand(RunBooks<dim> &books);
+
+    /// The steps since the last steps_stand() were undone: the books are those of then.
+    void
+    steps_undone(const RunBooks<dim> &books);
+
+  private:
+    void
+    write_fields(const Stage &stage, RunState<dim> &run);
+
+    /// A warning for each event of the ledger that has grown since the last call.
+    void
+    warn_of_events(const Stage &stage, RunBooks<dim> &books);
+
+    const Scene<dim>  &scene_;
+    const FieldLayout &layout_;
+    std::string        directory_;
+    RunLog             log_;
+    Statistics         statistics_;
+    FieldOutput<dim>   fields_;
+  };
+} // namespace whipple

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/ledger/ledger.h>
+#include <whipple/output/summary.h>
+#include <whipple/run/contact.h>
+#include <whipple/run/domain.h>
+#include <whipple/run/report_progress.h>
+#include <whipple/run/time_step_history.h>
+
+#include <limits>
+#include <vector>
+
+namespace whipple
+{
+  /// How far a stage has come: all that its next step depends on beside the mesh and its fields. Steps, time limits and
+  /// the like are in the stage's summary.
+  struct StageProgress
+  {
+    bool   begun          = false; ///< the hand-over into the stage is done
+    double end_time       = 0;     ///< us; of stages that end at a time
+    double last_time_step = 0;     ///< us, not cut short by the end of the stage; 0 before the first step
+
+    double ceiling      = std::numeric_limits<double>::infinity();  ///< us, largest step while a failure is retried
+    double failed_until = -std::numeric_limits<double>::infinity(); ///< us, end of the step that failed
+    int    retries      = 0;                                        ///< of the same failure
+
+    long   since_regrid       = 0;  ///< steps since the mesh or its bonds were last looked at
+    double spare_after_regrid = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
+
+    std::vector<CellKey> locked; ///< elements of all ranks that keep their shape: a step has folded them, or slivers
+    std::size_t          locked_noted = 0; ///< of them, from the first on, those in the ledger
+    TimeStepHistory      history;
+    ContactSchedule      contacts;
+  };
+
+  /// All that a run is at a moment beside the mesh and its fields; a value.
+  template <int dim>
+  struct RunBooks
+  {
+    std::size_t      stage = 0; ///< number of the stage it is in, or will begin next
+    StageProgress    progress;
+    Ledger<dim>      ledger;
+    summary::Summary summary; ///< stages so far, results, counts, what has been used
+    ReportProgress   report;
+  };
+
+  /// All that a run is at a moment. What can be worked out from it is no part of it.
+  template <int dim>
+  struct RunState
+  {
+    Domain<dim>   domain;
+    RunBooks<dim> books;
+
+    /// What the summary says of the present stage. @pre books.progress.begun
+    summary::Stage &
+    record()
+    {
+      return books.summary.stages.back();
+    }
+  };
+} // namespace whipple

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/hydro/fragment_release.h>
+#include <whipple/run/checkpointing.h>
+#include <whipple/run/contact.h>
+#include <whipple/run/cycle.h>
+#include <whipple/run/handover.h>
+#include <whipple/run/last_good.h>
+#include <whipple/run/regridding.h>
+#include <whipple/run/reporter.h>
+#include <whipple/run/run_state.h>
+#include <whipple/run/state_guard.h>
+
+#include <memory>
+
+namespace whipple
+{
+  /// Steps one stage from its first to its last instant: time steps, regrids, retries, news.
+  template <int dim>
+  class StageLoop
+  {
+  public:
+    /// All are kept by reference.
+    /// @param run       with the mesh and state that the stage begins with, or is in the middle of
+    /// @param last_good what failures go back to, kept up to date
+    StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
+              const Handover<dim> &handover, const Stage &stage, Reporter<dim> &reporter,
+              Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good);
+
+    /// From where the run state is to the end of the stage.
+    /// @throws StateError on all ranks, after the last good state has been restored
+    /// @throws Interrupted on all ranks; the last good state is in a checkpoint
+    void
+    run();
+
+  private:
+    void
+    begin();
+    /// Build what belongs to the mesh and its bonds.
+    void
+    use_mesh();
+    /// The same for a mesh that the run has just got.
+    void
+    new_mesh();
+    void
+    regrid();
+    /// Step, and what follows it: regrid, contact, breaking of bonds.
+    void
+    advance(double left);
+    void
+    step(double left);
+    /// @returns the fragments that keep their shape in the step ahead
+    std::vector<RigidFragment<dim>>
+    release();
+    /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
+    bool
+    bonds_break();
+    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
+    void
+    free_folding();
+    /// Lock slivers that would make the step much shorter than it is in this stage. @returns whether there were new
+    /// ones
+    bool
+    lock_slivers();
+    /// @param cells owned elements that keep their shape from now on, if they do not yet
+    /// @returns the number of new ones of all ranks
+    std::size_t
+    lock(const std::vector<Index> &cells);
+    /// Enter into the ledger what has been locked since the last time.
+    void
+    note_locked();
+    /// @throws StateError if a step has folded an element; the elements are freed and locked in the next try
+    void
+    refuse_folded();
+    /// Join elements that have run into one another; lay all anew if that does not do. @returns whether the mesh is new
+    bool
+    meet();
+    bool
+    regrid_is_due();
+    bool
+    guard_touched() const;
+    double
+    choose_time_step(double left);
+    double
+    time_left();
+    /// @throws StateError, after the record has been closed, if the time step has collapsed.
+    void
+    stop_if_collapsed();
+    void
+    close_record();
+    /// Compare the books with what is present. @throws ConservationError
+    void
+    check(const std::string &event);
+    /// All so far is good.
+    void
+    stand();
+    void
+    go_back(const StateError &error);
+
+    const Scene<dim>      &scene_;
+    const FieldLayout     &layout_;
+    const Regridding<dim> &regridding_;
+    const Handover<dim>   &handover_;
+    const Stage           &stage_;
+    Reporter<dim>         &reporter_;
+    Checkpointing<dim>    &checkpointing_;
+    RunState<dim>         &run_;
+    LastGood<dim>         &last_good_;
+    RigidWalls<dim>        walls_;
+    StateGuard<dim>        state_guard_;
+
+    // what belongs to the present mesh
+    std::unique_ptr<Cycle<dim>> cycle_;
+    std::vector<Index>          guard_;
+    std::vector<Index>          locked_;    ///< owned elements that keep their shape, ascending
+    long                        cells_ = 0; ///< active cells of all ranks
+
+    AgreedTimeStep limit_{};        ///< of the present step
+    double         tried_dt_   = 0; ///< us; the present step
+    double         wall_start_ = 0; ///< s
+  };
+} // namespace whipple

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/mesh/collective.h>
+#include <whipple/run/cycle.h>
+#include <whipple/run/domain.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace whipple
+{
+  namespace
+  {
+    /// c^2 of a material that is cold and free of pressure, 0 if it has no such state.
+    double
+    cold_stiffness(const EquationOfState &eos)
+    {
+      const std::array<double, 1> density{eos.reference_density()}, energy{0.};
+      std::array<double, 1>       pressure{}, sound_speed_squared{};
+      eos.evaluate(density, energy, pressure, sound_speed_squared);
+      return std::isfinite(sound_speed_squared[0]) ? std::max(sound_speed_squared[0], 0.) : 0.;
+    }
+
+    RemapParameters
+    remap_parameters(const Numerics &numerics, const Stage &stage, const std::vector<Material> &materials)
+    {
+      RemapParameters parameters;
+      parameters.second_order         = numerics.remap_order == 2;
+      parameters.kinetic_loss_to_heat = stage.lost_kinetic_energy == KineticLoss::heat;
+      parameters.advection_limit      = numerics.advection_limit;
+      for (const Material &material : materials)
+        parameters.cold_stiffness.push_back(cold_stiffness(*material.eos));
+      return parameters;
+    }
+  } // namespace
+
+  template <int dim>
+  Cycle<dim>::Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
+                    const Halo<dim> &halo)
+    : layout_(layout)
+    , mesh_(mesh)
+    , halo_(halo)
+    , lost_kinetic_energy_(stage.lost_kinetic_energy)
+    , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
+  {
+    passes_ = make_passes<dim>(scene.effects, {mesh, layout.materials, layout.fields});
+    if (stage.mode == StageMode::eulerian)
+      remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage, layout.materials));
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::refresh(State<dim> &state) const
+  {
+    lagrange_.update_node_mass(state);
+    lagrange_.update_pressure(state);
+  }
+
+  template <int dim>
+  AgreedTimeStep
+  Cycle<dim>::time_step(const State<dim> &state, std::span<const Index> exempt) const
+  {
+    TimeStepLimit limit = lagrange_.time_step(state, exempt);
+    if (remap_)
+      if (const AdvectionLimit own = remap_->time_step(state); own.dt < limit.dt)
+        limit = {own.dt, "advection", own.cell};
+    for (const auto &pass : passes_)
+      if (const TimeStepLimit own = pass->time_step(state); own.dt < limit.dt)
+        limit = own;
+
+    const MPI_Comm communicator = halo_.communicator();
+    struct
+    {
+      double dt;
+      int    rank;
+    } least{limit.dt, 0};
+    MPI_Comm_rank(communicator, &least.rank);
+    const int rank = least.rank;
+    MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
+
+    struct
+    {
+      char   reason[64];
+      double place[2];
+    } news{"", {std::nan(""), std::nan("")}};
+    if (rank == least.rank)
+      {
+        std::snprintf(news.reason, sizeof news.reason, "%s", limit.reason.c_str());
+        if (limit.cell != none)
+          for (int d = 0; d < dim; ++d)
+            news.place[d] = state.position[d][mesh_.cell_node[limit.cell * FlatMesh<dim>::corners]];
+      }
+    MPI_Bcast(&news, sizeof news, MPI_BYTE, least.rank, communicator);
+    return {least.dt, news.reason, {{news.place[0], news.place[1]}}};
+  }
+
+  template <int dim>
+  std::vector<Index>
+  Cycle<dim>::slivers(const State<dim> &state, double bound) const
+  {
+    return lagrange_.slivers(state, bound);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::exchange(State<dim> &state) const
+  {
+    std::vector<std::vector<double> *> cells = layout_.cell_arrays(state), nodes{&state.node_mass};
+    for (MaterialState &m : state.material)
+      for (auto *array : {&m.pressure, &m.sound_speed})
+        cells.push_back(array);
+    for (int d = 0; d < dim; ++d)
+      {
+        nodes.push_back(&state.position[d]);
+        nodes.push_back(&state.velocity[d]);
+      }
+    halo_.exchange(cells, nodes);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::advance(State<dim> &state, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
+                      Ledger<dim> &ledger)
+  {
+    const MPI_Comm      communicator = halo_.communicator();
+    LagrangeReport<dim> motion;
+    agree(communicator, [&] { motion = lagrange_.advance(state, dt, rigid); });
+    for (const auto &pass : passes_)
+      {
+        pass->advance(state, lagrange_.before(), dt);
+        if (pass->changes_energy())
+          lagrange_.update_pressure(state);
+      }
+    exchange(state);
+    RemapReport<dim> remap;
+    if (remap_)
+      {
+        remap_->begin(state);
+        for (int i = 0; i < dim; ++i)
+          {
+            agree(communicator, [&] { remap += remap_->sweep(state, (sweep_first + i) % dim); });
+            exchange(state);
+          }
+        agree(communicator, [&] { remap_->finish(state); });
+        lagrange_.update_pressure(state);
+      }
+    book(motion, remap, ledger);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const
+  {
+    // what crossed the sides, and the work and impulse the sides gave (so: minus what they took)
+    std::array<double, 3 + dim + 6> sums{};
+    for (const SideFlux<dim> &side : remap.side)
+      {
+        sums[0] += side.mass;
+        sums[1] += side.internal;
+        sums[2] += side.kinetic;
+        for (int d = 0; d < dim; ++d)
+          sums[3 + d] += side.momentum[d];
+      }
+    sums[2] -= motion.boundary_work;
+    for (int d = 0; d < dim; ++d)
+      sums[3 + d] -= motion.boundary_momentum[d];
+    sums[3 + dim] = motion.viscous_work;
+    sums[4 + dim] = motion.hourglass_work;
+    sums[5 + dim] = motion.plastic_work;
+    sums[6 + dim] = remap.kinetic_lost;
+    sums[7 + dim] = remap.cells_compressed;
+    sums[8 + dim] = remap.compressed;
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, halo_.communicator());
+
+    ConservedTotals<dim> left;
+    left.mass            = sums[0];
+    left.internal_energy = sums[1];
+    left.kinetic_energy  = sums[2];
+    for (int d = 0; d < dim; ++d)
+      left.momentum[d] = sums[3 + d];
+    ledger.leave(left);
+    ledger.convert("viscous work", sums[3 + dim]);
+    ledger.convert("hourglass work", sums[4 + dim]);
+    ledger.convert("plastic work", sums[5 + dim]);
+    ledger.note("overfull cells compressed", sums[7 + dim], sums[8 + dim], "cm^3");
+    ledger.lose_kinetic("remap", sums[6 + dim], lost_kinetic_energy_);
+  }
+
+  template class Cycle<2>;
+} // namespace whipple

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/diagnostics/phase_measure.h>
+#include <whipple/run/reporter.h>
+#include <whipple/scene/effect_forecast.h>
+#include <whipple/scene/scene_warnings.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <limits>
+
+namespace whipple
+{
+  namespace
+  {
+    std::string
+    format(const char *pattern, ...)
+    {
+      char    text[256];
+      va_list arguments;
+      va_start(arguments, pattern);
+      std::vsnprintf(text, sizeof text, pattern, arguments);
+      va_end(arguments);
+      return text;
+    }
+
+    /// The value with as many decimals as its error bar has: one digit of that, two if it starts with 1.
+    std::string
+    with_error_bar(double value, double error)
+    {
+      constexpr int most_decimals = 12;
+      int           decimals      = 3;
+      if (error > 0)
+        {
+          const int    exponent = static_cast<int>(std::floor(std::log10(error)));
+          const double leading  = error / std::pow(10., exponent);
+          decimals              = std::clamp((leading < 2 ? 1 : 0) - exponent, 0, most_decimals);
+        }
+      return format("%.*f +- %.*f", decimals, value, decimals, error);
+    }
+
+    template <int dim>
+    std::string
+    ledger_line(const std::string &what, const ConservedTotals<dim> &amount)
+    {
+      return format("  %-24s %13.6e %15.6e %15.6e %15.6e", what.c_str(), amount.mass,
+                    amount.momentum[Ledger<dim>::axial], amount.internal_energy, amount.kinetic_energy);
+    }
+  } // namespace
+
+  template <int dim>
+  Reporter<dim>::Reporter(const Scene<dim> &scene, const FieldLayout &layout, const std::string &directory, bool live,
+                          MPI_Comm communicator, const RunBooks<dim> *resumed)
+    : scene_(scene)
+    , layout_(layout)
+    , directory_(directory)
+    , log_(directory, communicator, live, resumed ? RunLog::Earlier::kept : RunLog::Earlier::replaced)
+    , statistics_(directory, communicator, resumed ? resumed->report.statistics_bytes : 0)
+    , fields_(directory, layout.material_names, FieldOutputOptions{.hdf5 = scene.output.hdf5, .vtu = scene.output.vtu},
+              communicator, [&layout](const State<dim> &state, const std::vector<Index> &cells) {
+                return phase_fields(layout, state, cells);
+              })
+  {
+    log_.banner();
+    if (!scene.title.empty())
+      log_.info(scene.title);
+    if (resumed)
+      {
+        log_.count_from(resumed->summary.counts.warnings);
+        fields_.go_on(resumed->report.fields);
+        return;
+      }
+    log_.info("effects (what, whether, number, why):");
+    for (const EffectVerdict &verdict : scene.effect_verdicts)
+      log_.info(effect_line(verdict));
+    for (const std::string &line : scene_warnings(scene))
+      log_.warning(line);
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::write_fields(const Stage &stage, RunState<dim> &run)
+  {
+    if (!scene_.output.fields_interval)
+      return;
+    fields_.write(run.domain.view->mesh, run.domain.state, stage.name);
+    run.books.report.fields = fields_.series();
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::stage_begins(const Stage &stage, RunState<dim> &run)
+  {
+    const double time = run.domain.state.time;
+    log_.info(format("stage %zu: %s (%s) from %.6g us", run.books.stage + 1, stage.name.c_str(),
+                     stage.mode == StageMode::eulerian ? "eulerian" : "lagrangian", time));
+    write_fields(stage, run);
+    if (scene_.output.fields_interval)
+      run.books.report.next_fields = time + *scene_.output.fields_interval;
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run)
+  {
+    const double       time   = run.domain.state.time;
+    const Ledger<dim> &ledger = run.books.ledger;
+    ReportProgress    &report = run.books.report;
+    Progress           progress;
+    progress.stage     = news.stage->name;
+    progress.step      = news.step;
+    progress.time      = time;
+    progress.time_step = news.dt;
+    progress.limiter   = news.limit->reason;
+    progress.cells     = news.cells;
+    progress.fraction  = news.fraction;
+    log_.progress(progress);
+
+    if (time >= report.next_statistics)
+      {
+        const auto converted = [&](const char *cause) {
+          const auto found = ledger.conversions().find(cause);
+          return found == ledger.conversions().end() ? 0. : found->second;
+        };
+        const auto                            closure = ledger.closure(present);
+        const std::array<StatisticsEntry, 20> row{{{"time [us]", time},
+                                                   {"stage", static_cast<double>(run.books.stage + 1)},
+                                                   {"step", static_cast<double>(news.step)},
+                                                   {"time step [us]", news.dt},
+                                                   {"active cells", static_cast<double>(news.cells)},
+                                                   {"mass [g]", present.mass},
+                                                   {"axial momentum [g cm/us]", present.momentum[Ledger<dim>::axial]},
+                                                   {"internal energy [Mbar cm^3]", present.internal_energy},
+                                                   {"kinetic energy [Mbar cm^3]", present.kinetic_energy},
+                                                   {"mass left domain [g]", ledger.left().mass},
+                                                   {"viscous work [Mbar cm^3]", converted("viscous work")},
+                                                   {"hourglass work [Mbar cm^3]", converted("hourglass work")},
+                                                   {"plastic work [Mbar cm^3]", converted("plastic work")},
+                                                   {"remap loss [Mbar cm^3]", converted("remap")},
+                                                   {"mass closure", closure.mass},
+                                                   {"axial momentum closure", closure.axial_momentum},
+                                                   {"energy closure", closure.energy},
+                                                   {"time step set by", std::string_view(news.limit->reason)},
+                                                   {"set at axis 0 [cm]", news.limit->place[0]},
+                                                   {"set at axis 1 [cm]", news.limit->place[1]}}};
+        statistics_.write(row);
+        report.next_statistics = time + scene_.output.statistics_interval;
+      }
+    if (scene_.output.fields_interval && time >= report.next_fields)
+      {
+        write_fields(*news.stage, run);
+        report.next_fields += *scene_.output.fields_interval;
+      }
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::steps_stand(RunBooks<dim> &books)
+  {
+    statistics_.keep();
+    books.report.statistics_bytes = statistics_.kept_bytes();
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::steps_undone(const RunBooks<dim> &books)
+  {
+    statistics_.forget();
+    fields_.go_on(books.report.fields);
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::warn_of_events(const Stage &stage, RunBooks<dim> &books)
+  {
+    for (const auto &[what, event] : books.ledger.events())
+      {
+        Event &warned = books.report.events_warned[what];
+        if (event.number > warned.number)
+          log_.warning(format("stage %s: %s, %.0f times, %.3g %s in all", stage.name.c_str(), what.c_str(),
+                              event.number - warned.number, event.size - warned.size, event.unit.c_str()));
+        warned = event;
+      }
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::stage_ends(const Stage &stage, RunState<dim> &run)
+  {
+    const Domain<dim> &domain = run.domain;
+    const Ledger<dim> &ledger = run.books.ledger;
+    write_fields(stage, run);
+    const MPI_Comm             communicator = domain.communicator();
+    const ConservedTotals<dim> present      = totals(domain.view->mesh, domain.state, communicator);
+    log_.info(format("ledger at %.6g us, end of %s", domain.state.time, stage.name.c_str()));
+    log_.info(format("  %-24s %13s %15s %15s %15s", "", "mass", "axial momentum", "internal", "kinetic"));
+    log_.info(format("  %-24s %13s %15s %15s %15s", "", "g", "g cm/us", "Mbar cm^3", "Mbar cm^3"));
+    log_.info(ledger_line("introduced", ledger.introduced()));
+    log_.info(ledger_line("left the domain", ledger.left()));
+    for (const auto &[reason, amount] : ledger.dropped())
+      log_.info(ledger_line("dropped: " + reason, amount));
+    log_.info(ledger_line("present", present));
+    if (layout_.bodies_separable && scene_.bodies.size() > 1)
+      {
+        const auto bodies =
+            body_totals(domain.view->mesh, domain.state, layout_.body_tag, layout_.body_material, communicator);
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          if (bodies[b].mass > 0)
+            log_.info(ledger_line("  of " + scene_.bodies[b].name, bodies[b]));
+      }
+    for (const auto &[cause, energy] : ledger.conversions())
+      log_.info(format("  converted by %-22s %15.6e Mbar cm^3", cause.c_str(), energy));
+    const auto closure = ledger.closure(present);
+    log_.info(format("  closes to %.1e (mass), %.1e (axial momentum), %.1e (total energy)", closure.mass,
+                     closure.axial_momentum, closure.energy));
+    warn_of_events(stage, run.books);
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::result(const std::string &place, const std::string &quantity, const summary::Result &value,
+                        const summary::ErrorBar &bar)
+  {
+    std::string text = place + ' ' + quantity;
+    if (const double *number = std::get_if<double>(&value))
+      text += ' ' + (bar.error ? with_error_bar(*number, *bar.error) : format("%.4g", *number));
+    else if (const bool *verdict = std::get_if<bool>(&value))
+      text += *verdict ? " yes" : " no";
+    log_.info(text + " (" + bar.verdict + ')');
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::failed(const Stage &stage, RunState<dim> &run, const std::string &reason)
+  {
+    const Domain<dim> &domain = run.domain;
+    warn_of_events(stage, run.books);
+    log_.warning(reason);
+    write_last_good_state(directory_, domain.view->mesh, domain.state, layout_.material_names, stage.name, reason,
+                          domain.communicator());
+    log_.info(format("the last good state, at %.6f us, is in the output directory", domain.state.time));
+  }
+
+  template class Reporter<2>;
+} // namespace whipple

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/diagnostics/exact_errors.h>
+#include <whipple/diagnostics/result_table.h>
+#include <whipple/diagnostics/shock_measure.h>
+#include <whipple/run/simulation.h>
+#include <whipple/run/stage_loop.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Largest part of a conserved quantity a projection may lose.
+    constexpr double projection_round_off = 1e-12;
+
+    template <int dim>
+    summary::Balance
+    balance(const ConservedTotals<dim> &introduced, const ConservedTotals<dim> &present, const Ledger<dim> &ledger,
+            double (*quantity)(const ConservedTotals<dim> &), double closure)
+    {
+      summary::Balance result;
+      result.initial     = quantity(introduced);
+      result.final_value = quantity(present);
+      result.left_domain = quantity(ledger.left());
+      for (const auto &[reason, amount] : ledger.dropped())
+        result.dropped[reason] = quantity(amount);
+      result.closure_relative = closure;
+      return result;
+    }
+
+    template <int dim>
+    summary::Ledger
+    summarise(const Ledger<dim> &ledger, const ConservedTotals<dim> &present)
+    {
+      using Totals            = ConservedTotals<dim>;
+      const auto      closure = ledger.closure(present);
+      const Totals   &begin   = ledger.introduced();
+      summary::Ledger result;
+      result.mass = balance<dim>(
+          begin, present, ledger, [](const Totals &t) { return t.mass; }, closure.mass);
+      result.axial_momentum = balance<dim>(
+          begin, present, ledger, [](const Totals &t) { return t.momentum[Ledger<dim>::axial]; },
+          closure.axial_momentum);
+      result.energy = balance<dim>(
+          begin, present, ledger, [](const Totals &t) { return t.total_energy(); }, closure.energy);
+      auto &extra               = result.energy.extra;
+      extra["initial_kinetic"]  = begin.kinetic_energy;
+      extra["initial_internal"] = begin.internal_energy;
+      extra["kinetic"]          = present.kinetic_energy;
+      extra["internal"]         = present.internal_energy;
+      const auto converted      = [&](const char *cause) {
+        const auto found = ledger.conversions().find(cause);
+        return found == ledger.conversions().end() ? 0. : found->second;
+      };
+      extra["remap_loss"]              = converted("remap");
+      extra["regrid_loss"]             = converted("regrid");
+      extra["projection_loss"]         = converted("projection");
+      extra["released_fragments_loss"] = converted("released fragments");
+      extra["plastic_work"]            = converted("plastic work");
+      extra["viscous_work"]            = converted("viscous work");
+      extra["hourglass_work"]          = converted("hourglass work");
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim> &scene, const RunPlace &place, const RunBooks<dim> *books,
+                              MPI_Comm communicator)
+    : scene_(scene)
+    , layout_(scene_)
+    , directory_(place.directory)
+    , regridding_(scene_, layout_)
+    , handover_(scene_, layout_, regridding_)
+    , state_{{Forest<dim>(communicator, scene_.lattice), nullptr, {}}, books ? *books : RunBooks<dim>{}}
+    , reporter_(scene_, layout_, directory_, place.live, communicator, books)
+    , clock_(state_.books.summary.performance, communicator)
+    , checkpointing_(scene_, layout_, directory_, place.wall_start, clock_, communicator)
+  {
+    summary::Summary &summary = state_.books.summary;
+    if (!books)
+      summary.scene = std::filesystem::path(scene_.file).filename().string();
+    for (const EffectVerdict &verdict : scene_.effect_verdicts)
+      summary.effects[verdict.name] = {verdict.on, verdict.number, verdict.reason};
+  }
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator)
+    : Simulation(scene, place, nullptr, communicator)
+  {
+    last_good_.keep_books(state_.books);
+  }
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim> &scene, const RunPlace &place, const std::string &checkpoint,
+                              const RunBooks<dim> &books, MPI_Comm communicator)
+    : Simulation(scene, place, &books, communicator)
+  {
+    checkpoint::read_fields(checkpoint, layout_, state_);
+    last_good_.keep(state_);
+    reporter_.log().info("going on at " + std::to_string(state_.domain.state.time) + " us from " + checkpoint);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_plates()
+  {
+    const std::size_t  stage  = state_.books.stage;
+    const Domain<dim> &domain = state_.domain;
+    for (const std::size_t plate : measured_plates(scene_, stage))
+      {
+        const std::string &name = scene_.bodies[plate].name;
+        const auto         measure =
+            measure_plate(scene_, layout_, plate, domain.view->mesh, domain.state, domain.communicator());
+        if (!measure)
+          reporter_.log().warning("stage " + scene_.stages[stage].name + ": plate " + name +
+                                  " cannot be measured: it is thinner than a cell, or nothing of it is left");
+        for (const auto &[quantity, value] : plate_results(measure, domain.state.time))
+          state_.books.summary.results[name][quantity] = value;
+      }
+  }
+
+  template <int dim>
+  std::optional<double>
+  Simulation<dim>::projectile_velocity() const
+  {
+    if (!layout_.bodies_separable)
+      return std::nullopt;
+    const auto bodies = body_totals(state_.domain.view->mesh, state_.domain.state, layout_.body_tag,
+                                    layout_.body_material, state_.domain.communicator());
+    double     mass = 0, momentum = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (scene_.bodies[b].velocity[Ledger<dim>::axial] != 0.)
+        {
+          mass += bodies[b].mass;
+          momentum += bodies[b].momentum[Ledger<dim>::axial];
+        }
+    return mass > 0 ? std::optional<double>(momentum / mass) : std::nullopt;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_cloud(const Stage &stage, const std::string &prefix)
+  {
+    const double        origin = stage.debris.behind ? extent(scene_.bodies[*stage.debris.behind].shape).upper[1] : 0.;
+    const DebrisMeasure m      = measure_debris<dim>(
+        state_.domain.view->mesh, state_.domain.state, [](Index) { return true; }, origin,
+        state_.domain.communicator());
+    state_.books.summary.results[stage.name].merge(
+        debris_results(m, projectile_velocity(), state_.domain.state.time, prefix));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_material(const Stage &stage)
+  {
+    const FlatMesh<dim> &mesh = state_.domain.view->mesh;
+    if (scene_.has_effect("melting"))
+      state_.books.summary.results[stage.name].merge(
+          phase_results(measure_phases(layout_, mesh, state_.domain.state, state_.domain.communicator())));
+    if (scene_.has_effect("fragment size"))
+      state_.books.summary.results[stage.name].merge(
+          fragment_results(mean_fragment_size(layout_, mesh, state_.domain.state, state_.domain.communicator())));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::enter()
+  {
+    const std::size_t          number  = state_.books.stage;
+    const Stage               &stage   = scene_.stages[number];
+    Ledger<dim>               &ledger  = state_.books.ledger;
+    Domain<dim>               &domain  = state_.domain;
+    const double               brought = ledger.introduced().kinetic_energy;
+    const ConservedTotals<dim> held =
+        number > 0 ? totals(domain.view->mesh, domain.state, domain.communicator()) : ConservedTotals<dim>{};
+    try
+      {
+        handover_.enter(stage, number > 0 ? &scene_.stages[number - 1] : nullptr, domain, ledger);
+        const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+        ledger.check(present, "the projection into stage '" + stage.name + "'", projection_round_off);
+        const double made =
+            present.kinetic_energy - held.kinetic_energy - (ledger.introduced().kinetic_energy - brought);
+        if (made > projection_round_off * ledger.energy_scale())
+          throw ConservationError("the projection into stage '" + stage.name + "' made " + std::to_string(made) +
+                                  " Mbar cm^3 of kinetic energy out of nothing");
+      }
+    catch (const StateError &)
+      {
+        last_good_.restore(layout_, state_);
+        if (number == 0)
+          domain.view.reset(); // there is no state of before
+        throw;
+      }
+    if (stage.mode == StageMode::lagrangian)
+      measure_cloud(stage, handover_prefix);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::run_stage()
+  {
+    const Stage &stage = scene_.stages[state_.books.stage];
+    if (!state_.books.progress.begun)
+      enter();
+    StageLoop<dim> loop(scene_, layout_, regridding_, handover_, stage, reporter_, checkpointing_, state_, last_good_);
+    loop.run();
+    if (stage.mode == StageMode::lagrangian)
+      measure_cloud(stage, "");
+    measure_material(stage);
+    measure_plates();
+    finish_stage();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::finish_stage()
+  {
+    ++state_.books.stage;
+    state_.books.progress                = StageProgress{};
+    state_.books.summary.counts.warnings = reporter_.log().warnings();
+    reporter_.steps_stand(state_.books);
+    last_good_.keep(state_);
+    checkpointing_.write(last_good_, reporter_);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::measure_errors()
+  {
+    const FlatMesh<dim> &mesh = state_.domain.view->mesh;
+    state_.books.summary.errors =
+        exact_errors<dim>(*scene_.exact, mesh, state_.domain.state, state_.domain.communicator());
+    if (const auto shock = measure_shock<dim>(scene_, mesh, state_.domain.state, state_.domain.communicator()))
+      state_.books.summary.results[exact_place] = shock_results(*shock);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_summary()
+  {
+    const MPI_Comm     communicator = state_.domain.communicator();
+    const Ledger<dim> &ledger       = state_.books.ledger;
+    summary::Summary  &summary      = state_.books.summary;
+    if (state_.domain.view)
+      {
+        const FlatMesh<dim> &mesh  = state_.domain.view->mesh;
+        const State<dim>    &state = state_.domain.state;
+        summary.ledger             = summarise(ledger, totals(mesh, state, communicator));
+        if (layout_.bodies_separable)
+          {
+            const auto bodies = body_totals(mesh, state, layout_.body_tag, layout_.body_material, communicator);
+            for (std::size_t b = 0; b < bodies.size(); ++b)
+              summary.ledger.bodies[scene_.bodies[b].name] = {
+                  {"mass_g", bodies[b].mass},
+                  {"axial_momentum_g_cm_per_us", bodies[b].momentum[Ledger<dim>::axial]},
+                  {"internal_energy_Mbar_cm3", bodies[b].internal_energy},
+                  {"kinetic_energy_Mbar_cm3", bodies[b].kinetic_energy}};
+          }
+      }
+    clock_.read(summary.performance);
+    summary.performance.active_cell_steps = 0;
+    for (const summary::Stage &stage : summary.stages)
+      summary.performance.active_cell_steps += stage.cell_steps;
+    summary.counts.warnings = reporter_.log().warnings();
+    for (const auto &[what, event] : ledger.events())
+      summary.counts.events[what] = {event.number, event.size, event.unit};
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    if (rank == 0)
+      summary::write(summary, directory_);
+    reporter_.flush();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::stopped(const Stage &stage, const StateError &error)
+  {
+    if (dynamic_cast<const Interrupted *>(&error))
+      {
+        last_good_.restore(layout_, state_); // what the checkpoint holds
+        reporter_.log().info(error.what());
+      }
+    else if (state_.domain.view)
+      reporter_.failed(stage, state_, error.what());
+    else
+      reporter_.log().warning(error.what());
+    state_.books.summary.status = "stopped";
+    state_.books.summary.reason = error.what();
+    write_summary();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::run()
+  {
+    try
+      {
+        while (state_.books.stage < scene_.stages.size())
+          run_stage();
+        if (scene_.exact)
+          measure_errors();
+      }
+    catch (const StateError &error)
+      {
+        stopped(scene_.stages[std::min(state_.books.stage, scene_.stages.size() - 1)], error);
+        throw;
+      }
+    write_summary();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::report_error_bars(const std::map<std::string, std::map<std::string, summary::ErrorBar>> &error_bars)
+  {
+    summary::Summary &summary = state_.books.summary;
+    summary.error_bars        = error_bars;
+    for (const auto &[place, quantities] : error_bars)
+      for (const auto &[quantity, bar] : quantities)
+        reporter_.result(place, quantity, summary.results.at(place).at(quantity), bar);
+    int rank = 0;
+    MPI_Comm_rank(state_.domain.communicator(), &rank);
+    if (rank == 0)
+      summary::write(summary, directory_);
+  }
+
+  template class Simulation<2>;
+} // namespace whipple

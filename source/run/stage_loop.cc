@@ -1,0 +1,587 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/diagnostics/debris_measure.h>
+#include <whipple/hydro/folding.h>
+#include <whipple/mesh/collective.h>
+#include <whipple/mesh/gather.h>
+#include <whipple/mesh/key_index.h>
+#include <whipple/run/bond_breaking.h>
+#include <whipple/run/stage_loop.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Largest part of any conserved quantity that a step, regrid or projection may lose: the round-off of some
+    /// 1e5 cells.
+    constexpr double round_off = 1e-12;
+
+    /// Steps between snapshots, times a failed step is tried again, and the largest part of the time step that failed
+    /// that is tried then.
+    constexpr int    snapshot_steps = 10;
+    constexpr int    most_retries   = 5;
+    constexpr double retry_factor   = 0.5;
+
+    /// Part of the active cells that coarsening must save to be worth a regrid of its own.
+    constexpr double worthwhile_spare = 0.2;
+
+    /// Stable steps ahead for which elements may not fold.
+    constexpr double steps_ahead = 1.5;
+
+    /// Part of a stage's typical step below which no sliver may push it.
+    constexpr double sliver_share = 0.05;
+
+    /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
+    /// mesh that folds is left to itself.
+    template <int dim>
+    bool
+    holds_pieces(const State<dim> &state)
+    {
+      return std::all_of(state.material.begin(), state.material.end(),
+                         [](const MaterialState &material) { return material.has_voids(); });
+    }
+
+    /// Owned cells of these keys.
+    template <int dim>
+    std::vector<Index>
+    cells_with_keys(const FlatMesh<dim> &mesh, const std::vector<CellKey> &keys)
+    {
+      std::vector<Index> cells;
+      if (keys.empty())
+        return cells;
+      const KeyIndex wanted(keys);
+      for (Index c = 0; c < mesh.n_owned; ++c)
+        if (wanted.contains(mesh.key[c]))
+          cells.push_back(c);
+      return cells;
+    }
+
+    /// The reflecting sides, where they are planes of the lattice.
+    template <int dim>
+    RigidWalls<dim>
+    rigid_walls(const Scene<dim> &scene)
+    {
+      RigidWalls<dim> walls;
+      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::none; ++side)
+        {
+          walls.there[side]    = scene.boundaries[side].kind == BoundaryKind::reflecting;
+          walls.position[side] = side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2];
+        }
+      return walls;
+    }
+  } // namespace
+
+  template <int dim>
+  StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
+                            const Handover<dim> &handover, const Stage &stage, Reporter<dim> &reporter,
+                            Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good)
+    : scene_(scene)
+    , layout_(layout)
+    , regridding_(regridding)
+    , handover_(handover)
+    , stage_(stage)
+    , reporter_(reporter)
+    , checkpointing_(checkpointing)
+    , run_(run)
+    , last_good_(last_good)
+    , walls_(rigid_walls(scene))
+    , state_guard_(scene, layout)
+  {
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::use_mesh()
+  {
+    const Domain<dim>   &domain = run_.domain;
+    const FlatMesh<dim> &mesh   = domain.view->mesh;
+    cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
+    cycle_->refresh(run_.domain.state);
+    guard_  = Regridding<dim>::guard_cells(mesh);
+    cells_  = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
+    locked_ = cells_with_keys(mesh, run_.books.progress.locked);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::new_mesh()
+  {
+    use_mesh();
+    run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
+    run_.books.progress.since_regrid       = 0;
+    run_.books.progress.spare_after_regrid = -1;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::check(const std::string &event)
+  {
+    const Domain<dim> &domain = run_.domain;
+    run_.books.ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), event, round_off);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::regrid()
+  {
+    const KineticLoss loss = stage_.lost_kinetic_energy;
+    run_.books.ledger.gathered("regrid", regridding_.regrid(run_.domain, loss), loss);
+    new_mesh();
+    check("a regrid");
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::bonds_break()
+  {
+    StageProgress &progress = run_.books.progress;
+    if (stage_.cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
+      return false;
+    progress.since_regrid         = 0;
+    const KineticLoss      loss   = stage_.lost_kinetic_energy;
+    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, run_.domain);
+    if (report.broken == 0)
+      return false;
+    run_.books.summary.counts.breaks += report.broken;
+    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
+    new_mesh();
+    check("breaking of bonds");
+    return true;
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::guard_touched() const
+  {
+    int touched = 0;
+    for (const MaterialState &m : run_.domain.state.material)
+      for (const Index c : guard_)
+        touched = touched || m.mass[c] > 0;
+    MPI_Allreduce(MPI_IN_PLACE, &touched, 1, MPI_INT, MPI_MAX, run_.domain.communicator());
+    return touched;
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::regrid_is_due()
+  {
+    StageProgress &progress = run_.books.progress;
+    if (progress.since_regrid < scene_.mesh.regrid_steps)
+      return false;
+    progress.since_regrid                   = 0; // or ask again after as many steps
+    const typename Regridding<dim>::Fit fit = regridding_.fit(run_.domain);
+    // balance between neighbours keeps some cells finer than needed: only what is more than after the last regrid
+    // counts
+    if (progress.spare_after_regrid < 0)
+      progress.spare_after_regrid = fit.spare;
+    return !fit.serves || fit.spare > progress.spare_after_regrid + worthwhile_spare;
+  }
+
+  template <int dim>
+  double
+  StageLoop<dim>::time_left()
+  {
+    const Domain<dim> &domain = run_.domain;
+    summary::Stage    &record = run_.record();
+    if (stage_.end.kind != StageEnd::Kind::leading_edge)
+      {
+        const double left = run_.books.progress.end_time - domain.state.time;
+        return left > 1e-9 * record.end_us ? left : 0.;
+      }
+
+    // time until the fastest corner could bridge the gap; a hundredth of a cell short of the plate is there
+    const double front    = extent(scene_.bodies[stage_.end.body].shape).lower[1];
+    const double foremost = foremost_point(domain.view->mesh, domain.state, domain.communicator());
+    const double gap      = front - foremost;
+    double       fastest  = 0;
+    for (Index n = 0; n < domain.state.n_nodes(); ++n)
+      if (domain.state.node_mass[n] > 0)
+        fastest = std::max(fastest, domain.state.velocity[1][n]);
+    fastest = max_over_ranks(fastest, domain.communicator());
+    if (gap <= 0.01 * scene_.lattice.spacing)
+      return 0.;
+    if (fastest <= 0)
+      throw StateError("stage '" + stage_.name + "' waits for a leading edge, but nothing moves towards body '" +
+                       scene_.bodies[stage_.end.body].name + "', " + std::to_string(gap) + " cm away");
+    record.end_us = domain.state.time + gap / fastest;
+    return std::max(gap, 0.1 * scene_.lattice.spacing) / fastest;
+  }
+
+  template <int dim>
+  double
+  StageLoop<dim>::choose_time_step(double left)
+  {
+    StageProgress &progress = run_.books.progress;
+    limit_                  = cycle_->time_step(run_.domain.state, locked_);
+    if (!(limit_.dt > 0))
+      throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
+                       limit_.reason + ")");
+    double     dt    = limit_.dt;
+    const auto lower = [&](double bound, const char *reason) {
+      if (bound < dt)
+        {
+          dt            = bound;
+          limit_.reason = reason;
+        }
+    };
+    // the first step is a full one: a short one delays the waves from a discontinuity (doc/theory/lagrange_step.md)
+    if (progress.last_time_step > 0)
+      lower(scene_.numerics.growth_limit * progress.last_time_step, "growth");
+    lower(stage_.max_time_step, "scene");
+    lower(progress.ceiling, "retry");
+    progress.last_time_step = dt;
+    // two equal steps rather than a full one and a very short one
+    if (left < 2. * dt)
+      lower(left <= dt ? left : 0.5 * left, "end of stage");
+    tried_dt_ = dt;
+    return dt;
+  }
+
+  template <int dim>
+  std::vector<RigidFragment<dim>>
+  StageLoop<dim>::release()
+  {
+    Domain<dim>       &domain = run_.domain;
+    ReleaseReport<dim> report =
+        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, locked_);
+    const GatherReport<dim> all =
+        sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
+    run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
+    run_.books.summary.counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    return std::move(report.rigid);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::free_folding()
+  {
+    Domain<dim>   &domain       = run_.domain;
+    const MPI_Comm communicator = domain.communicator();
+    if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
+      return;
+    std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
+    cells.insert(cells.end(), locked_.begin(), locked_.end());
+    if (max_over_ranks(static_cast<double>(cells.size()), communicator) == 0)
+      return;
+    double mass = 0;
+    for (const Index c : cells)
+      mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
+    const KineticLoss      loss   = stage_.lost_kinetic_energy;
+    const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
+    if (report.broken == 0)
+      return;
+    run_.books.summary.counts.breaks += report.broken;
+    run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
+                           sum_over_ranks(mass, communicator), "g");
+    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
+    new_mesh();
+    check("freeing of elements");
+  }
+
+  template <int dim>
+  std::size_t
+  StageLoop<dim>::lock(const std::vector<Index> &cells)
+  {
+    const FlatMesh<dim>  &mesh = run_.domain.view->mesh;
+    std::vector<CellKey> &all  = run_.books.progress.locked;
+    std::vector<CellKey>  keys;
+    for (const Index c : cells)
+      if (!std::binary_search(locked_.begin(), locked_.end(), c))
+        keys.push_back(mesh.key[c]);
+    keys = gather_all<CellKey>(run_.domain.communicator(), keys).entry;
+    std::sort(keys.begin(), keys.end()); // the same list on any number of ranks
+    all.insert(all.end(), keys.begin(), keys.end());
+    if (!keys.empty())
+      locked_ = cells_with_keys(mesh, all);
+    return keys.size();
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::lock_slivers()
+  {
+    const double bound = sliver_share * run_.books.progress.history.typical();
+    if (!(limit_.dt < bound) || !holds_pieces(run_.domain.state))
+      return false;
+    return lock(cycle_->slivers(run_.domain.state, bound)) > 0;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::note_locked()
+  {
+    StageProgress    &progress = run_.books.progress;
+    const std::size_t number   = progress.locked.size() - progress.locked_noted;
+    if (number == 0)
+      return;
+    const Domain<dim> &domain = run_.domain;
+    double             mass   = 0;
+    for (const Index c :
+         cells_with_keys(domain.view->mesh, {progress.locked.begin() + progress.locked_noted, progress.locked.end()}))
+      mass += cell_mass<dim>(domain.state, c);
+    run_.books.ledger.note("slivers and elements at the point of folding locked in their shape",
+                           static_cast<double>(number), sum_over_ranks(mass, domain.communicator()), "g");
+    progress.locked_noted = progress.locked.size();
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::refuse_folded()
+  {
+    const Domain<dim>   &domain = run_.domain;
+    const FlatMesh<dim> &mesh   = domain.view->mesh;
+    // what is locked has the shape that it had before it folded, whatever round-off makes of it
+    std::vector<Index> cells = folded_cells(mesh, domain.state);
+    std::erase_if(cells, [&](Index c) { return std::binary_search(locked_.begin(), locked_.end(), c); });
+    const std::size_t number = lock(cells);
+    if (number == 0)
+      return;
+    run_.books.progress.retries = 0; // what has folded now will be free and locked in the next try: not the same again
+    agree(domain.communicator(), [&] {
+      if (cells.empty())
+        return;
+      const Index n = mesh.cell_node[cells[0] * FlatMesh<dim>::corners];
+      throw StateError("the step folded " + std::to_string(number) + " elements, one of them at (" +
+                       std::to_string(domain.state.position[0][n]) + ", " +
+                       std::to_string(domain.state.position[1][n]) + ") cm");
+    });
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::meet()
+  {
+    StageProgress &progress = run_.books.progress;
+    Ledger<dim>   &ledger   = run_.books.ledger;
+    Domain<dim>   &domain   = run_.domain;
+    const long     steps    = run_.record().steps;
+    if (!progress.contacts.due(steps) || !holds_pieces(domain.state))
+      return false;
+    const KineticLoss        loss   = stage_.lost_kinetic_energy;
+    const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
+    progress.contacts.looked(steps, progress.last_time_step, report);
+    if (report.joined > 0)
+      {
+        ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
+                    report.gathered.kinetic_loss, "Mbar cm^3");
+        ledger.gathered("contact", report.gathered, loss);
+        cycle_->refresh(domain.state);
+      }
+    bool anew = false;
+    if (overlap_is_deep(report))
+      {
+        note_locked();
+        anew = handover_.lay_anew(stage_, domain, ledger);
+        ledger.note(anew ? "elements deep in one another, all laid anew"
+                         : "elements deep in one another that find no room in the domain",
+                    static_cast<double>(report.deep), 1., "times");
+      }
+    if (anew)
+      {
+        ++run_.books.summary.counts.rezones;
+        progress.locked.clear();
+        progress.locked_noted = 0;
+        new_mesh();
+      }
+    if (report.joined > 0 || anew)
+      check("contact of elements");
+    return anew;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::step(double left)
+  {
+    Domain<dim> &domain = run_.domain;
+    Ledger<dim> &ledger = run_.books.ledger;
+    const double before = run_.books.progress.last_time_step;
+    double       dt     = choose_time_step(left);
+    if (stage_.mode == StageMode::lagrangian && lock_slivers())
+      {
+        run_.books.progress.last_time_step = before;
+        dt                                 = choose_time_step(left);
+      }
+    std::vector<RigidFragment<dim>> rigid;
+    if (stage_.mode == StageMode::lagrangian)
+      {
+        free_folding();
+        rigid = release();
+      }
+    const Numerics &numerics = scene_.numerics;
+    if (numerics.inject_failure_at_step == run_.record().steps + 1 &&
+        run_.books.progress.retries < numerics.injected_failures)
+      for (MaterialState &m : domain.state.material)
+        std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
+    cycle_->advance(domain.state, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
+    if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
+      refuse_folded();
+    const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+    ledger.check(present, "a step", round_off);
+    summary::Stage &record = run_.record();
+    if ((record.steps + 1) % snapshot_steps == 0)
+      state_guard_.check(domain, ledger.energy_scale(), ledger);
+
+    ++record.steps;
+    run_.books.progress.history.add(run_.books.progress.last_time_step);
+    ++run_.books.progress.since_regrid;
+    ++record.dt_limits[limit_.reason];
+    record.cell_steps += static_cast<double>(cells_);
+    const double fraction = (domain.state.time - record.start_us) / (record.end_us - record.start_us);
+    reporter_.step_done({&stage_, record.steps, dt, &limit_, cells_, fraction}, present, run_);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::advance(double left)
+  {
+    step(left);
+    if (stage_.mode == StageMode::eulerian)
+      {
+        if (regrid_is_due() || guard_touched())
+          regrid();
+      }
+    else if (!meet())
+      bonds_break();
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::go_back(const StateError &error)
+  {
+    // of what failed, only that it did is kept: every retry is really smaller than that, until its time has passed
+    const StageProgress failed   = run_.books.progress;
+    const long          retries  = run_.books.summary.counts.retries;
+    const double        until    = run_.domain.state.time + tried_dt_;
+    const bool          new_view = last_good_.restore(layout_, run_);
+    StageProgress      &progress = run_.books.progress;
+    reporter_.steps_undone(run_.books);
+    if (new_view || !cycle_ || cycle_->mesh() != &run_.domain.view->mesh)
+      use_mesh();
+    else
+      cycle_->refresh(run_.domain.state);
+    progress.ceiling                  = retry_factor * tried_dt_;
+    progress.failed_until             = until;
+    progress.retries                  = failed.retries;
+    progress.locked                   = failed.locked;
+    locked_                           = cells_with_keys(run_.domain.view->mesh, progress.locked);
+    run_.books.summary.counts.retries = retries;
+    if (progress.retries >= most_retries)
+      {
+        close_record();
+        throw; // the error that go_back was called for, with its type
+      }
+    ++progress.retries;
+    ++run_.books.summary.counts.retries;
+    reporter_.log().warning("gone back to step " + std::to_string(run_.record().steps) +
+                            " for a smaller time step: " + error.what());
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::stand()
+  {
+    StageProgress &progress = run_.books.progress;
+    note_locked();
+    if (run_.domain.state.time >= progress.failed_until)
+      {
+        progress.retries = 0;
+        progress.ceiling = std::numeric_limits<double>::infinity();
+      }
+    run_.record().wall_s               = MPI_Wtime() - wall_start_;
+    run_.books.summary.counts.warnings = reporter_.log().warnings();
+    reporter_.steps_stand(run_.books);
+    last_good_.keep(run_);
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::close_record()
+  {
+    summary::Stage &record = run_.record();
+    record.end_us          = run_.domain.state.time;
+    record.wall_s          = MPI_Wtime() - wall_start_;
+    int ranks              = 1;
+    MPI_Comm_size(run_.domain.communicator(), &ranks);
+    if (record.wall_s > 0)
+      record.cell_steps_per_s_per_rank = record.cell_steps / record.wall_s / ranks;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::stop_if_collapsed()
+  {
+    const auto collapse = run_.books.progress.history.collapse();
+    if (!collapse)
+      return;
+    close_record();
+    throw StateError("stage '" + stage_.name + "' at " + std::to_string(run_.domain.state.time) + " us: " + *collapse +
+                     ", set by " + limit_.reason +
+                     (std::isnan(limit_.place[0]) ? ""
+                                                  : " at (" + std::to_string(limit_.place[0]) + ", " +
+                                                        std::to_string(limit_.place[1]) + ") cm") +
+                     ". Look at the fields there; a void law, coarser cells, or an earlier end of the stage may help");
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::begin()
+  {
+    const double   now      = run_.domain.state.time;
+    const bool     eulerian = stage_.mode == StageMode::eulerian;
+    StageProgress &progress = run_.books.progress;
+    progress                = StageProgress{};
+    progress.begun          = true;
+    progress.end_time       = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? now : 0.);
+    summary::Stage &record  = run_.books.summary.stages.emplace_back();
+    record.name             = stage_.name;
+    record.mode             = eulerian ? "eulerian" : "lagrangian";
+    record.start_us         = now;
+    record.end_us           = progress.end_time;
+    new_mesh();
+    if (eulerian)
+      record.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
+    else
+      record.elements = cells_;
+    reporter_.stage_begins(stage_, run_);
+    stand();
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::run()
+  {
+    if (run_.books.progress.begun)
+      {
+        wall_start_ = MPI_Wtime() - run_.record().wall_s;
+        use_mesh();
+      }
+    else
+      {
+        wall_start_ = MPI_Wtime();
+        begin();
+      }
+    for (double left; (left = time_left()) > 0; stop_if_collapsed())
+      {
+        checkpointing_.after_step(last_good_, reporter_);
+        try
+          {
+            advance(left);
+          }
+        catch (const StateError &error)
+          {
+            go_back(error);
+            continue;
+          }
+        const bool new_view = last_good_.view() != run_.domain.view;
+        if (new_view || run_.record().steps - last_good_.steps() >= snapshot_steps)
+          stand();
+      }
+    close_record();
+    reporter_.stage_ends(stage_, run_);
+  }
+
+  template class StageLoop<2>;
+} // namespace whipple

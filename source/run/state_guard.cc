@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/mesh/collective.h>
+#include <whipple/run/state_guard.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace whipple
+{
+  namespace
+  {
+    /// Energy below the coldest state a material enters with that mixing and round-off may bring, in squares of its
+    /// sound speed there: for aluminium as much as it holds at room temperature.
+    constexpr double margin = 0.02;
+
+    /// Part of the energy of the problem that may be missing before the run stops.
+    constexpr double allowed = 1e-3;
+
+    /// Part of the density at which a law ends that no state may exceed: there the sound speed grows without bound.
+    constexpr double short_of_pole = 0.99;
+
+    double
+    sound_speed_squared(const EquationOfState &eos, double density, double energy)
+    {
+      const std::array<double, 1> g{{density}}, e{{energy}};
+      std::array<double, 1>       p, c2;
+      eos.evaluate(g, e, p, c2);
+      return std::max(0., c2[0]);
+    }
+
+    template <int dim>
+    ColdCurve
+    cold_curve(const Scene<dim> &scene, std::size_t material)
+    {
+      const EquationOfState &eos     = *scene.materials[material].model.eos;
+      const double           density = eos.reference_density();
+      double                 energy  = 0;
+      for (const Body<dim> &body : scene.bodies)
+        if (body.material == material)
+          energy = std::min(energy, body.energy);
+      double below = energy - margin * sound_speed_squared(eos, density, 0.);
+      // bodies may enter compressed, and colder than the isentrope says
+      const ColdCurve trial(eos, density, below);
+      double          lacking = 0;
+      for (const Body<dim> &body : scene.bodies)
+        if (body.material == material && body.density > 0)
+          lacking = std::max(lacking, trial.energy(body.density) - body.energy);
+      return ColdCurve(eos, density, below - lacking);
+    }
+
+    template <int dim>
+    std::string
+    place(const Domain<dim> &domain, Index cell)
+    {
+      std::ostringstream text;
+      const Index        node = domain.view->mesh.cell_node[cell * FlatMesh<dim>::corners];
+      text << "in the cell at (" << domain.state.position[0][node] << ", " << domain.state.position[1][node] << ") cm";
+      return text.str();
+    }
+  } // namespace
+
+  template <int dim>
+  StateGuard<dim>::StateGuard(const Scene<dim> &scene, const FieldLayout &layout)
+    : layout_(layout)
+  {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+      curve_.push_back(cold_curve(scene, m));
+  }
+
+  template <int dim>
+  typename StateGuard<dim>::Deficit
+  StateGuard<dim>::deficit(const Domain<dim> &domain, std::size_t material) const
+  {
+    const MaterialState &m     = domain.state.material[material];
+    const Material      &model = layout_.materials[material];
+    const double         pole  = model.eos->max_density();
+    Deficit              sum;
+    for (Index c = 0; c < domain.view->mesh.n_owned; ++c)
+      {
+        if (!(m.mass[c] > model.trace_density * domain.state.volume[c]))
+          continue;
+        const double gamma   = m.has_voids() ? m.density[c] / (1. - m.void_fraction[c]) : m.density[c];
+        const double lacking = m.mass[c] * (curve_[material].energy(gamma) - m.energy[c]);
+        if (!(gamma <= short_of_pole * pole) || !std::isfinite(lacking))
+          {
+            std::ostringstream text;
+            text << layout_.material_names[material] << " has true density " << gamma << " g/cm^3 and energy "
+                 << m.energy[c] << " Mbar cm^3/g " << place(domain, c) << "; its law '" << model.eos->name()
+                 << "' ends at " << pole << " g/cm^3";
+            throw StateError(text.str());
+          }
+        if (!(lacking > 0))
+          continue;
+        sum.energy += lacking;
+        ++sum.cells;
+        if (lacking > sum.worst)
+          {
+            sum.worst = lacking;
+            sum.cell  = c;
+          }
+      }
+    return sum;
+  }
+
+  template <int dim>
+  void
+  StateGuard<dim>::check(const Domain<dim> &domain, double energy_scale, Ledger<dim> &ledger) const
+  {
+    const MPI_Comm communicator = domain.communicator();
+    agree(communicator, [&] {
+      for (std::size_t m = 0; m < curve_.size(); ++m)
+        deficit(domain, m);
+    });
+    for (std::size_t m = 0; m < curve_.size(); ++m)
+      {
+        const Deficit own  = deficit(domain, m);
+        const double cells = sum_over_ranks(own.cells, communicator), energy = sum_over_ranks(own.energy, communicator);
+        ledger.note("energy below the cold curve (" + layout_.material_names[m] + ")", cells, energy, "Mbar cm^3");
+        if (!(energy > allowed * energy_scale))
+          continue;
+        const double worst = max_over_ranks(own.worst, communicator);
+        agree(communicator, [&] {
+          if (own.cell == none || own.worst < worst)
+            return;
+          const MaterialState &state = domain.state.material[m];
+          std::ostringstream   text;
+          text << layout_.material_names[m] << " lacks " << energy << " Mbar cm^3 below its cold curve in " << cells
+               << " cells, the energy of the problem is " << energy_scale << "; the most " << place(domain, own.cell)
+               << ": density " << state.density[own.cell] << " g/cm^3, energy " << state.energy[own.cell]
+               << " Mbar cm^3/g. Kinetic energy has come from nowhere: look for folded or overlapping elements there, "
+                  "or "
+                  "matter without a void law in tension";
+          throw StateError(text.str());
+        });
+      }
+  }
+
+  template class StateGuard<2>;
+} // namespace whipple
