@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/debris_measure.h>
-#include <whipple/hydro/folding.h>
 #include <whipple/mesh/collective.h>
-#include <whipple/mesh/gather.h>
-#include <whipple/mesh/key_index.h>
-#include <whipple/run/bond_breaking.h>
 #include <whipple/run/stage_loop.h>
 
 #include <algorithm>
@@ -27,37 +23,6 @@ namespace whipple
 
     /// Part of the active cells that coarsening must save to be worth a regrid of its own.
     constexpr double worthwhile_spare = 0.2;
-
-    /// Stable steps ahead for which elements may not fold.
-    constexpr double steps_ahead = 1.5;
-
-    /// Part of a stage's typical step below which no sliver may push it.
-    constexpr double sliver_share = 0.05;
-
-    /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
-    /// mesh that folds is left to itself.
-    template <int dim>
-    bool
-    holds_pieces(const State<dim> &state)
-    {
-      return std::all_of(state.material.begin(), state.material.end(),
-                         [](const MaterialState &material) { return material.has_voids(); });
-    }
-
-    /// Owned cells of these keys.
-    template <int dim>
-    std::vector<Index>
-    cells_with_keys(const FlatMesh<dim> &mesh, const std::vector<CellKey> &keys)
-    {
-      std::vector<Index> cells;
-      if (keys.empty())
-        return cells;
-      const KeyIndex wanted(keys);
-      for (Index c = 0; c < mesh.n_owned; ++c)
-        if (wanted.contains(mesh.key[c]))
-          cells.push_back(c);
-      return cells;
-    }
 
     /// The reflecting sides, where they are planes of the lattice.
     template <int dim>
@@ -100,9 +65,9 @@ namespace whipple
     const FlatMesh<dim> &mesh   = domain.view->mesh;
     cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
     cycle_->refresh(run_.domain.state);
-    guard_  = Regridding<dim>::guard_cells(mesh);
-    cells_  = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
-    locked_ = cells_with_keys(mesh, run_.books.progress.locked);
+    guard_ = Regridding<dim>::guard_cells(mesh);
+    cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
+    find_locked();
   }
 
   template <int dim>
@@ -131,25 +96,6 @@ namespace whipple
     run_.books.ledger.gathered("regrid", regridding_.regrid(run_.domain, loss), loss);
     new_mesh();
     check("a regrid");
-  }
-
-  template <int dim>
-  bool
-  StageLoop<dim>::bonds_break()
-  {
-    StageProgress &progress = run_.books.progress;
-    if (stage_.cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
-      return false;
-    progress.since_regrid         = 0;
-    const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, run_.domain);
-    if (report.broken == 0)
-      return false;
-    run_.books.summary.counts.breaks += report.broken;
-    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
-    new_mesh();
-    check("breaking of bonds");
-    return true;
   }
 
   template <int dim>
@@ -241,157 +187,6 @@ namespace whipple
   }
 
   template <int dim>
-  std::vector<RigidFragment<dim>>
-  StageLoop<dim>::release()
-  {
-    Domain<dim>       &domain = run_.domain;
-    ReleaseReport<dim> report =
-        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, locked_);
-    const GatherReport<dim> all =
-        sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
-    run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
-    run_.books.summary.counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
-    return std::move(report.rigid);
-  }
-
-  template <int dim>
-  void
-  StageLoop<dim>::free_folding()
-  {
-    Domain<dim>   &domain       = run_.domain;
-    const MPI_Comm communicator = domain.communicator();
-    if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
-      return;
-    std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
-    cells.insert(cells.end(), locked_.begin(), locked_.end());
-    if (max_over_ranks(static_cast<double>(cells.size()), communicator) == 0)
-      return;
-    double mass = 0;
-    for (const Index c : cells)
-      mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
-    const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
-    if (report.broken == 0)
-      return;
-    run_.books.summary.counts.breaks += report.broken;
-    run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
-                           sum_over_ranks(mass, communicator), "g");
-    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
-    new_mesh();
-    check("freeing of elements");
-  }
-
-  template <int dim>
-  std::size_t
-  StageLoop<dim>::lock(const std::vector<Index> &cells)
-  {
-    const FlatMesh<dim>  &mesh = run_.domain.view->mesh;
-    std::vector<CellKey> &all  = run_.books.progress.locked;
-    std::vector<CellKey>  keys;
-    for (const Index c : cells)
-      if (!std::binary_search(locked_.begin(), locked_.end(), c))
-        keys.push_back(mesh.key[c]);
-    keys = gather_all<CellKey>(run_.domain.communicator(), keys).entry;
-    std::sort(keys.begin(), keys.end()); // the same list on any number of ranks
-    all.insert(all.end(), keys.begin(), keys.end());
-    if (!keys.empty())
-      locked_ = cells_with_keys(mesh, all);
-    return keys.size();
-  }
-
-  template <int dim>
-  bool
-  StageLoop<dim>::lock_slivers()
-  {
-    const double bound = sliver_share * run_.books.progress.history.typical();
-    if (!(limit_.dt < bound) || !holds_pieces(run_.domain.state))
-      return false;
-    return lock(cycle_->slivers(run_.domain.state, bound)) > 0;
-  }
-
-  template <int dim>
-  void
-  StageLoop<dim>::note_locked()
-  {
-    StageProgress    &progress = run_.books.progress;
-    const std::size_t number   = progress.locked.size() - progress.locked_noted;
-    if (number == 0)
-      return;
-    const Domain<dim> &domain = run_.domain;
-    double             mass   = 0;
-    for (const Index c :
-         cells_with_keys(domain.view->mesh, {progress.locked.begin() + progress.locked_noted, progress.locked.end()}))
-      mass += cell_mass<dim>(domain.state, c);
-    run_.books.ledger.note("slivers and elements at the point of folding locked in their shape",
-                           static_cast<double>(number), sum_over_ranks(mass, domain.communicator()), "g");
-    progress.locked_noted = progress.locked.size();
-  }
-
-  template <int dim>
-  void
-  StageLoop<dim>::refuse_folded()
-  {
-    const Domain<dim>   &domain = run_.domain;
-    const FlatMesh<dim> &mesh   = domain.view->mesh;
-    // what is locked has the shape that it had before it folded, whatever round-off makes of it
-    std::vector<Index> cells = folded_cells(mesh, domain.state);
-    std::erase_if(cells, [&](Index c) { return std::binary_search(locked_.begin(), locked_.end(), c); });
-    const std::size_t number = lock(cells);
-    if (number == 0)
-      return;
-    run_.books.progress.retries = 0; // what has folded now will be free and locked in the next try: not the same again
-    agree(domain.communicator(), [&] {
-      if (cells.empty())
-        return;
-      const Index n = mesh.cell_node[cells[0] * FlatMesh<dim>::corners];
-      throw StateError("the step folded " + std::to_string(number) + " elements, one of them at (" +
-                       std::to_string(domain.state.position[0][n]) + ", " +
-                       std::to_string(domain.state.position[1][n]) + ") cm");
-    });
-  }
-
-  template <int dim>
-  bool
-  StageLoop<dim>::meet()
-  {
-    StageProgress &progress = run_.books.progress;
-    Ledger<dim>   &ledger   = run_.books.ledger;
-    Domain<dim>   &domain   = run_.domain;
-    const long     steps    = run_.record().steps;
-    if (!progress.contacts.due(steps) || !holds_pieces(domain.state))
-      return false;
-    const KineticLoss        loss   = stage_.lost_kinetic_energy;
-    const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
-    progress.contacts.looked(steps, progress.last_time_step, report);
-    if (report.joined > 0)
-      {
-        ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
-                    report.gathered.kinetic_loss, "Mbar cm^3");
-        ledger.gathered("contact", report.gathered, loss);
-        cycle_->refresh(domain.state);
-      }
-    bool anew = false;
-    if (overlap_is_deep(report))
-      {
-        note_locked();
-        anew = handover_.lay_anew(stage_, domain, ledger);
-        ledger.note(anew ? "elements deep in one another, all laid anew"
-                         : "elements deep in one another that find no room in the domain",
-                    static_cast<double>(report.deep), 1., "times");
-      }
-    if (anew)
-      {
-        ++run_.books.summary.counts.rezones;
-        progress.locked.clear();
-        progress.locked_noted = 0;
-        new_mesh();
-      }
-    if (report.joined > 0 || anew)
-      check("contact of elements");
-    return anew;
-  }
-
-  template <int dim>
   void
   StageLoop<dim>::step(double left)
   {
@@ -416,7 +211,7 @@ namespace whipple
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
     cycle_->advance(domain.state, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
-    if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
+    if (stage_.mode == StageMode::lagrangian && holds_pieces())
       refuse_folded();
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     ledger.check(present, "a step", round_off);
@@ -462,11 +257,11 @@ namespace whipple
       use_mesh();
     else
       cycle_->refresh(run_.domain.state);
-    progress.ceiling                  = retry_factor * tried_dt_;
-    progress.failed_until             = until;
-    progress.retries                  = failed.retries;
-    progress.locked                   = failed.locked;
-    locked_                           = cells_with_keys(run_.domain.view->mesh, progress.locked);
+    progress.ceiling      = retry_factor * tried_dt_;
+    progress.failed_until = until;
+    progress.retries      = failed.retries;
+    progress.locked       = failed.locked;
+    find_locked();
     run_.books.summary.counts.retries = retries;
     if (progress.retries >= most_retries)
       {

@@ -59,6 +59,13 @@ namespace whipple
     /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
     void
     free_folding();
+    /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
+    /// mesh that folds is left to itself.
+    bool
+    holds_pieces() const;
+    /// locked_ of the present mesh
+    void
+    find_locked();
     /// Lock slivers that would make the step much shorter than it is in this stage. @returns whether there were new
     /// ones
     bool
