@@ -17,7 +17,7 @@ namespace whipple
     constexpr double steps_ahead = 1.5;
 
     /// Part of a stage's typical step below which no sliver may push it.
-    constexpr double sliver_share = 0.05;
+    constexpr double sliver_share = 0.2;
 
     /// Owned cells of these keys.
     template <int dim>
