@@ -49,16 +49,16 @@ namespace whipple::bench
     , state_(std::move(state))
     , cycle_(scene, scene.stages[0], layout, view.mesh, view.halo)
   {
-    cycle_.refresh(state_);
+    cycle_.refresh(state_, derived_);
   }
 
   void
   CycleRun::step()
   {
-    double dt = cycle_.time_step(state_).dt;
+    double dt = cycle_.time_step(state_, derived_).dt;
     if (last_dt_ > 0)
       dt = std::min(dt, scene_.numerics.growth_limit * last_dt_);
-    cycle_.advance(state_, dt, steps_ % 2, ledger_);
+    cycle_.advance(state_, derived_, dt, steps_ % 2, ledger_);
     last_dt_ = dt;
     ++steps_;
   }

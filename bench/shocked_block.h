@@ -29,6 +29,7 @@ namespace whipple::bench
   private:
     const Scene<2> &scene_;
     State<2>        state_;
+    Derived         derived_;
     Cycle<2>        cycle_;
     Ledger<2>       ledger_;
     double          last_dt_ = 0; ///< us; 0 before the first step

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -129,16 +130,19 @@ main(int argc, char **argv)
 
   // what is wrong with the arguments is said once MPI is up, by one rank
   command_line::Command command;
+  std::optional<int>    ended; // exit status of ranks that have done it
   Failure               failure = attempt([&] {
     command = command_line::parse(arguments);
     if (auto *run = std::get_if<command_line::Run>(&command))
       {
         if (run->ranks > 1 && !mpirun::is_rank())
-          mpirun::become(run->ranks, arguments);
+          ended = mpirun::run(run->ranks, arguments);
         run->options.live = mpirun::prints_to_terminal();
       }
   });
 
+  if (ended)
+    return *ended;
   if (const auto *study = std::get_if<command_line::Study>(&command))
     return run_study_alone(study->options);
 

@@ -134,6 +134,21 @@ set(WHIPPLE_FLAT
     source/remap/sweep_topology.cc
     source/remap/swept_volume.cc
     source/remap/volume_flux.cc
+    source/scene/body_volume.cc
+    source/scene/box_shape.cc
+    source/scene/cone_shape.cc
+    source/scene/cylinder_shape.cc
+    source/scene/plate_shape.cc
+    source/scene/polygon_corners.cc
+    source/scene/end_at_leading_edge.cc
+    source/scene/end_at_time.cc
+    source/scene/end_when_settled.cc
+    source/scene/polygon_shape.cc
+    source/scene/shape.cc
+    source/scene/sphere_shape.cc
+    source/scene/stage_end.cc
+    source/scene/triangulation.cc
+    source/scene/units.cc
     source/state/corner_velocity.cc
     source/state/packet_layout.cc
     source/state/velocity_gather.cc
@@ -145,6 +160,7 @@ set(WHIPPLE_DEALII
     source/command/help.cc
     source/command/model_reference.cc
     source/command/mpirun.cc
+    source/command/shape_reference.cc
     source/diagnostics/debris_measure.cc
     source/diagnostics/exact_errors.cc
     source/diagnostics/phase_measure.cc
@@ -195,6 +211,7 @@ set(WHIPPLE_DEALII
     source/run/regridding.cc
     source/run/reporter.cc
     source/run/resume.cc
+    source/run/run_view.cc
     source/run/simulation.cc
     source/run/stage_loop.cc
     source/run/stage_pieces.cc
@@ -202,7 +219,6 @@ set(WHIPPLE_DEALII
     source/run/state_rows.cc
     source/run/time_step_history.cc
     source/scene/bodies_section.cc
-    source/scene/body_volume.cc
     source/scene/check_bodies.cc
     source/scene/check_inflow.cc
     source/scene/check_void_laws.cc
@@ -210,6 +226,9 @@ set(WHIPPLE_DEALII
     source/scene/effects_section.cc
     source/scene/encounters.cc
     source/scene/exact_section.cc
+    source/scene/expression.cc
+    source/scene/expression_section.cc
+    source/scene/expression_state.cc
     source/scene/geometry_section.cc
     source/scene/material_effects.cc
     source/scene/materials_section.cc
@@ -223,11 +242,10 @@ set(WHIPPLE_DEALII
     source/scene/read_scene.cc
     source/scene/scene_warnings.cc
     source/scene/section.cc
-    source/scene/shape.cc
+    source/scene/shape_section.cc
     source/scene/side_media.cc
     source/scene/stages_section.cc
     source/scene/study_section.cc
-    source/scene/units.cc
     source/scene/warnings_of_cost.cc
     source/scene/warnings_of_motion.cc
     source/study/analysis.cc

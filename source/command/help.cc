@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/command/command_line.h>
 #include <whipple/command/model_reference.h>
+#include <whipple/command/shape_reference.h>
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
 #include <whipple/material/material_library.h>
@@ -22,12 +23,13 @@ namespace whipple::command_line
       --output DIR                  where results go; default output/<name of the scene>
       --validate                    check the scene and stop
       --effects-report              say which effects matter in the scene, and stop
+  whipple run --resume DIR          go on with a run that was stopped; takes -n and --set for what may change
   whipple study STUDY.prm [options] run a scene many times: errors, orders, error bars, and what they cost
       -n, --set, --output, --validate as above
       --tolerance 'RESULT = 2 %'    find and run the cheapest setting that is so accurate
       --budget '20 min'             if it does not take longer than this
       --any-version                 also reuse points that another version of the program has computed
-  whipple help [TOPIC]              this, or: scene, study, effects, models, materials,
+  whipple help [TOPIC]              this, or: scene, study, shapes, effects, models, materials,
                                     exact solutions
   whipple --version
 
@@ -121,6 +123,8 @@ says how wrong each result is and what a better one costs. Points that are there
       return std::string(scene);
     if (topic == "study")
       return std::string(study);
+    if (topic == "shapes")
+      return shape_reference();
     if (topic == "effects")
       return model_reference::overview();
     if (topic == "models")
@@ -130,6 +134,6 @@ says how wrong each result is and what a better one costs. Points that are there
     if (topic == "exact solutions")
       return exact_solutions();
     throw InputError("no help on '" + std::string(topic) +
-                     "': topics are scene, study, effects, models, materials, exact solutions");
+                     "': topics are scene, study, shapes, effects, models, materials, exact solutions");
   }
 } // namespace whipple::command_line

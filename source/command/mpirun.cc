@@ -2,6 +2,9 @@
 #include <whipple/command/mpirun.h>
 #include <whipple/error.h>
 
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,6 +29,40 @@ namespace whipple::mpirun
         {"OMPI_MCA_btl_base_warn_component_unused", "0"},
         {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}, // containers forbid it, loudly
     }};
+
+    constexpr int cannot_start = 127;
+
+    /// The child's side of the fork: only calls that are safe there.
+    [[noreturn]] void
+    execute(char *const *words, pid_t parent, const sigset_t &signals)
+    {
+      setpgid(0, 0); // what the terminal sends goes to the parent alone
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      sigprocmask(SIG_SETMASK, &signals, nullptr);
+      if (getppid() == parent)
+        execvp(words[0], words);
+      _exit(cannot_start);
+    }
+
+    /// Wait for mpirun and pass signals on to the ranks. It would end them within a second of a SIGTERM or SIGINT;
+    /// SIGUSR1 and SIGUSR2 it only passes on, and to a rank SIGUSR2 means: stop.
+    /// @returns as waitpid tells it
+    int
+    wait_for(pid_t child, const sigset_t &awaited)
+    {
+      bool asked = false;
+      for (int status = 0, signal = 0;;)
+        {
+          if (sigwait(&awaited, &signal) != 0)
+            continue;
+          if (signal == SIGUSR1)
+            kill(child, SIGUSR1);
+          else if (signal != SIGCHLD)
+            kill(child, std::exchange(asked, true) ? SIGTERM : SIGUSR2);
+          else if (waitpid(child, &status, WNOHANG) == child)
+            return status;
+        }
+    }
   } // namespace
 
   bool
@@ -34,8 +71,8 @@ namespace whipple::mpirun
     return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE") || std::getenv("PMI_RANK");
   }
 
-  void
-  become(int ranks, std::span<const std::string> arguments)
+  int
+  run(int ranks, std::span<const std::string> arguments)
   {
     constexpr int keep = 0;
     for (const auto &[name, value] : open_mpi_settings)
@@ -52,8 +89,22 @@ namespace whipple::mpirun
     for (std::string &word : words)
       argv.push_back(word.data());
     argv.push_back(nullptr);
-    execvp(argv[0], argv.data());
-    throw Error(std::string("mpirun cannot be started: ") + std::strerror(errno));
+
+    sigset_t awaited, before;
+    sigemptyset(&awaited);
+    for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGCHLD})
+      sigaddset(&awaited, signal);
+    sigprocmask(SIG_BLOCK, &awaited, &before);
+    const pid_t parent = getpid(), child = fork();
+    if (child == 0)
+      execute(argv.data(), parent, before);
+    if (child < 0)
+      throw Error(std::string("mpirun cannot be started: ") + std::strerror(errno));
+    const int status = wait_for(child, awaited);
+    sigprocmask(SIG_SETMASK, &before, nullptr);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == cannot_start)
+      throw Error("mpirun cannot be started: is Open MPI installed?");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 
   bool

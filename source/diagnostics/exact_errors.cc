@@ -51,14 +51,15 @@ namespace whipple
 
     template <int dim>
     CellValue
-    cell_value(const State<dim> &state, Index c)
+    cell_value(const State<dim> &state, const Derived &derived, Index c)
     {
       CellValue value;
-      for (const MaterialState &m : state.material)
+      for (std::size_t i = 0; i < state.material.size(); ++i)
         {
+          const MaterialState &m = state.material[i];
           value.mass += m.mass[c];
           value.volume += m.volume[c];
-          value.pressure_volume += m.volume[c] * m.pressure[c];
+          value.pressure_volume += m.volume[c] * derived.material[i].pressure[c];
           value.energy += m.mass[c] * m.energy[c];
         }
       return value;
@@ -90,7 +91,7 @@ namespace whipple
   template <int dim>
   std::map<std::string, summary::Error>
   exact_errors(const exact::ExactSolution<dim> &solution, const FlatMesh<dim> &mesh, const State<dim> &state,
-               MPI_Comm communicator)
+               const Derived &derived, MPI_Comm communicator)
   {
     constexpr double             round_off = 1e-10;
     std::map<std::string, Norms> norms{{"density", {}}, {"energy", {}}, {"pressure", {}}, {"velocity", {}}};
@@ -102,7 +103,7 @@ namespace whipple
         const double          volume = state.volume[c];
         const ExactMeans<dim> exact =
             exact_means<dim>(solution, volume_points<dim>(solution, mesh.symmetry, x, state.time), state.time);
-        const CellValue value = cell_value(state, c);
+        const CellValue value = cell_value(state, derived, c);
         if (value.mass > 0 || exact.density > 0)
           norms["density"].add(value.mass / volume - exact.density, exact.density, volume);
         if (!(value.volume > volume * (1. - round_off)))
@@ -119,5 +120,5 @@ namespace whipple
   }
 
   template std::map<std::string, summary::Error>
-  exact_errors(const exact::ExactSolution<2> &, const FlatMesh<2> &, const State<2> &, MPI_Comm);
+  exact_errors(const exact::ExactSolution<2> &, const FlatMesh<2> &, const State<2> &, const Derived &, MPI_Comm);
 } // namespace whipple

@@ -64,7 +64,7 @@ namespace whipple
   PlateSite
   plate_site(const Scene<dim> &scene, std::size_t body)
   {
-    const auto *plate = std::get_if<Plate<dim>>(&scene.bodies[body].shape);
+    const auto *plate = scene.bodies[body].shape.template as<Plate<dim>>();
     if (!plate)
       throw Error("body '" + scene.bodies[body].name + "' is no plate and has no hole to measure");
     const Lattice<dim> &lattice = scene.lattice;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/result_table.h>
 #include <whipple/problem/field_layout.h>
+#include <whipple/scene/plate_shape.h>
 
 #include <variant>
 
@@ -75,7 +76,7 @@ namespace whipple
     std::vector<std::size_t> plates;
     for (std::size_t s = stage + 1; s-- > 0 && scene.stages[s].mode == StageMode::eulerian;)
       for (const std::size_t body : scene.stages[s].introduces)
-        if (std::holds_alternative<Plate<dim>>(scene.bodies[body].shape))
+        if (scene.bodies[body].shape.template as<Plate<dim>>())
           plates.push_back(body);
     return plates;
   }

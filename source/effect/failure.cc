@@ -22,21 +22,22 @@ namespace whipple
       }
 
       void
-      advance(State<2> &state, const StepWork<2> &before, double dt) override
+      advance(State<2> &state, const Derived &derived, const StepWork<2> &before, double dt) override
       {
         for (std::size_t m = 0; m < materials_.size(); ++m)
           if (materials_[m].failure)
-            advance_material(state, before.material[m], dt, m);
+            advance_material(state, derived.material[m].pressure, before.material[m], dt, m);
       }
 
     private:
       void
-      advance_material(State<2> &state, const MaterialWork &before, double dt, std::size_t m)
+      advance_material(State<2> &state, const std::vector<double> &pressure, const MaterialWork &before, double dt,
+                       std::size_t m)
       {
         MaterialState &material = state.material[m];
         solid_state::true_density(material.density, material.void_fraction, materials_[m].eos->reference_density(),
                                   true_density_);
-        solid_state::pressure(material.pressure, material.void_fraction, solid_pressure_);
+        solid_state::pressure(pressure, material.void_fraction, solid_pressure_);
         FailureInput input{true_density_, material.energy, solid_pressure_, material.void_fraction, {}, {}, dt};
         if (materials_[m].strength)
           {

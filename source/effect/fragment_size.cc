@@ -27,16 +27,17 @@ namespace whipple
       }
 
       void
-      advance(State<2> &state, const StepWork<2> &before, double dt) override
+      advance(State<2> &state, const Derived &derived, const StepWork<2> &before, double dt) override
       {
         for (std::size_t m = 0; m < materials_.size(); ++m)
           if (materials_[m].fragments)
-            advance_material(state.material[m], before.material[m], dt, m);
+            advance_material(state.material[m], derived.material[m].sound_speed, before.material[m], dt, m);
       }
 
     private:
       void
-      advance_material(MaterialState &material, const MaterialWork &before, double dt, std::size_t m)
+      advance_material(MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork &before,
+                       double dt, std::size_t m)
       {
         const Index n = static_cast<Index>(density_.size());
         solid_state::true_density(material.density, material.void_fraction, materials_[m].eos->reference_density(),
@@ -46,7 +47,7 @@ namespace whipple
             const bool there = material.density[c] > 0;
             rate_[c]         = there ? std::max(before.density[c] / material.density[c] - 1., 0.) / dt : 0.;
           }
-        materials_[m].fragments->evaluate(density_, material.sound_speed, rate_, size_);
+        materials_[m].fragments->evaluate(density_, sound_speed, rate_, size_);
         std::vector<double> &share = material.fields[share_].value, &moment = material.fields[moment_].value;
         for (Index c = 0; c < n; ++c)
           {

@@ -44,7 +44,7 @@ namespace whipple
       }
 
       void
-      advance(State<2> &state, const StepWork<2> &, double dt) override
+      advance(State<2> &state, const Derived &, const StepWork<2> &, double dt) override
       {
         evaluate_cells(state);
         for (int axis = 0; axis < 2; ++axis)

@@ -8,6 +8,8 @@ namespace whipple::exact
   bool
   Outline::contains(const Vector<2> &x) const
   {
+    if (inside)
+      return inside(x);
     if (round)
       return std::hypot(x[0] - centre()[0], x[1] - centre()[1]) <= radius();
     return x[0] >= lower[0] && x[0] <= upper[0] && x[1] >= lower[1] && x[1] <= upper[1];
@@ -28,6 +30,6 @@ namespace whipple::exact
   Outline
   outline(const BodyState<2> &body)
   {
-    return {body.lower, body.upper, body.round};
+    return {body.lower, body.upper, body.round, body.inside};
   }
 } // namespace whipple::exact

@@ -36,7 +36,7 @@ namespace whipple::exact
   ExactKind
   translation_kind()
   {
-    return {"translation", "bodies without pressure in free flight through the vacuum", {}};
+    return {"translation", "bodies without pressure in free flight through the vacuum", {}, true};
   }
 
   std::unique_ptr<const ExactSolution<2>>

@@ -34,16 +34,17 @@ namespace whipple::cell_kernels
 
     template <int dim>
     Filling
-    filling(const State<dim> &state, const Pack &volume, const Pack &strain, const StepWork<dim> &work, Index first)
+    filling(const State<dim> &state, const Derived &derived, const Pack &volume, const Pack &strain,
+            const StepWork<dim> &work, Index first)
     {
       Pack occupied(0.), compliance(0.), pressed(0.);
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState &material = state.material[m];
-          const Pack           v = load(material.volume, first), c = load(material.sound_speed, first);
+          const Pack           v = load(material.volume, first), c = load(derived.material[m].sound_speed, first);
           const Pack           modulus = load(material.density, first) * c * c;
           occupied += v;
-          pressed += v * load(material.pressure, first);
+          pressed += v * load(derived.material[m].pressure, first);
           compliance += select(trace::has_state(material, work.material[m], volume, first), v / modulus, Pack(0.));
         }
       const Pack filled = occupied / volume;
@@ -61,11 +62,11 @@ namespace whipple::cell_kernels
     /// scaled with that, so that the work done on it belongs to the change of its volume (a trace in a cell that keeps
     /// closing would otherwise be heated without bound).
     Pack
-    half_pressure(const MaterialState &material, double yielding, const Filling &fill, const Pack &expansion,
-                  const Pack &least, double half_dt, Index first)
+    half_pressure(const MaterialState &material, const DerivedMaterial &derived, double yielding, const Filling &fill,
+                  const Pack &expansion, const Pack &least, double half_dt, Index first)
     {
-      const Pack pressure = load(material.pressure, first);
-      const Pack c = load(material.sound_speed, first), density = load(material.density, first),
+      const Pack pressure = load(derived.pressure, first);
+      const Pack c = load(derived.sound_speed, first), density = load(material.density, first),
                  modulus    = density * c * c;
       const auto compressed = expansion < 0. && fill.occupied > 0.;
       const Pack part       = select(compressed && fill.open, Pack(fill.compressed / fill.occupied), Pack(1.));
@@ -97,21 +98,22 @@ namespace whipple::cell_kernels
     /// Half-step deviator of one material.
     template <int dim>
     plasticity::Deviator<Pack>
-    half_stress(const State<dim> &state, const MaterialState &material, const MaterialWork &next,
+    half_stress(const State<dim> &state, const MaterialState &material, const DerivedMaterial &derived,
                 const plasticity::Rates<Pack> &rate, double half_dt, Index first)
     {
       const plasticity::Deviator<Pack> old{load(material.fields[state.index.stress_00].value, first),
                                            load(material.fields[state.index.stress_11].value, first),
                                            load(material.fields[state.index.stress_01].value, first)};
       const plasticity::Deviator<Pack> trial = plasticity::stretch(plasticity::rotate(old, rate.spin, half_dt), rate,
-                                                                   load(next.shear_modulus, first), half_dt);
-      return plasticity::return_radially(trial, plasticity::equivalent_stress(trial), load(next.yield_stress, first));
+                                                                   load(derived.shear_modulus, first), half_dt);
+      return plasticity::return_radially(trial, plasticity::equivalent_stress(trial),
+                                         load(derived.yield_stress, first));
     }
 
     template <bool strength, int dim>
     MeanState
-    mean_state(const State<dim> &state, const VelocityGradient<Pack> &gradient, const Filling &fill, double dt,
-               Index first, StepWork<dim> &work)
+    mean_state(const State<dim> &state, const Derived &derived, const VelocityGradient<Pack> &gradient,
+               const Filling &fill, double dt, Index first, StepWork<dim> &work)
     {
       const Pack volume    = load(state.volume, first);
       const Pack expansion = 0.5 * dt * gradient.divergence();
@@ -120,8 +122,9 @@ namespace whipple::cell_kernels
       MeanState mean;
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
-          const MaterialState &material = state.material[m];
-          const auto           felt     = trace::has_state(material, work.material[m], volume, first);
+          const MaterialState   &material = state.material[m];
+          const DerivedMaterial &from     = derived.material[m];
+          const auto             felt     = trace::has_state(material, work.material[m], volume, first);
           if (none_of(felt))
             {
               if (!work.material[m].half_pressure.empty())
@@ -131,19 +134,19 @@ namespace whipple::cell_kernels
           const Pack share = select(felt, Pack(load(material.volume, first) / volume), Pack(0.));
           Pack       least(0.);
           if constexpr (strength)
-            if (!work.material[m].shear_modulus.empty() && any_of(fill.open))
+            if (!from.shear_modulus.empty() && any_of(fill.open))
               least = least_pressure(state, material, first);
-          const Pack pressure =
-              select(felt, half_pressure(material, work.material[m].yielding, fill, expansion, least, 0.5 * dt, first),
-                     Pack(0.));
+          const Pack pressure = select(
+              felt, half_pressure(material, from, work.material[m].yielding, fill, expansion, least, 0.5 * dt, first),
+              Pack(0.));
           if (!work.material[m].half_pressure.empty())
             store(pressure, work.material[m].half_pressure, first);
           mean.pressure += share * pressure;
-          mean.sound_speed += load(material.mass, first) * load(material.sound_speed, first);
+          mean.sound_speed += load(material.mass, first) * load(from.sound_speed, first);
           if constexpr (strength)
-            if (!work.material[m].shear_modulus.empty())
+            if (!from.shear_modulus.empty())
               {
-                const auto s     = half_stress(state, material, work.material[m], rate, 0.5 * dt, first);
+                const auto s     = half_stress(state, material, from, rate, 0.5 * dt, first);
                 Pack       solid = share;
                 if (material.has_voids())
                   solid *= 1. - load(material.void_fraction, first);
@@ -171,8 +174,8 @@ namespace whipple::cell_kernels
 
     template <Symmetry symmetry, bool strength, ViscosityKind kind, int dim>
     void
-    corner_forces_of(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
-                     StepWork<dim> &work)
+    corner_forces_of(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                     const HydroParameters &parameters, double dt, StepWork<dim> &work)
     {
       for (Index first = 0, pack = 0; first < mesh.n_cells; first += pack_size, ++pack)
         {
@@ -187,8 +190,8 @@ namespace whipple::cell_kernels
 
           const auto      gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
           const Pack      strain   = -dt * gradient.divergence();
-          const Filling   fill     = filling(state, load(state.volume, first), strain, work, first);
-          const MeanState mean     = mean_state<strength>(state, gradient, fill, dt, first, work);
+          const Filling   fill     = filling(state, derived, load(state.volume, first), strain, work, first);
+          const MeanState mean     = mean_state<strength>(state, derived, gradient, fill, dt, first, work);
           const Pack      mass = load(work.mass, first), inverse = 1. / half.volume;
           if constexpr (kind == ViscosityKind::scalar)
             {
@@ -234,18 +237,18 @@ namespace whipple::cell_kernels
 
     template <ViscosityKind kind, int dim>
     void
-    corner_forces_with(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
-                       StepWork<dim> &work)
+    corner_forces_with(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                       const HydroParameters &parameters, double dt, StepWork<dim> &work)
     {
       const bool planar = mesh.symmetry == Symmetry::planar;
       if (planar && work.has_strength)
-        corner_forces_of<Symmetry::planar, true, kind>(mesh, state, parameters, dt, work);
+        corner_forces_of<Symmetry::planar, true, kind>(mesh, state, derived, parameters, dt, work);
       else if (planar)
-        corner_forces_of<Symmetry::planar, false, kind>(mesh, state, parameters, dt, work);
+        corner_forces_of<Symmetry::planar, false, kind>(mesh, state, derived, parameters, dt, work);
       else if (work.has_strength)
-        corner_forces_of<Symmetry::axisymmetric, true, kind>(mesh, state, parameters, dt, work);
+        corner_forces_of<Symmetry::axisymmetric, true, kind>(mesh, state, derived, parameters, dt, work);
       else
-        corner_forces_of<Symmetry::axisymmetric, false, kind>(mesh, state, parameters, dt, work);
+        corner_forces_of<Symmetry::axisymmetric, false, kind>(mesh, state, derived, parameters, dt, work);
     }
   } // namespace
 } // namespace whipple::cell_kernels

@@ -5,12 +5,13 @@ namespace whipple::cell_kernels
 {
   template <int dim>
   void
-  corner_forces_tensor(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
-                       StepWork<dim> &work)
+  corner_forces_tensor(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                       const HydroParameters &parameters, double dt, StepWork<dim> &work)
   {
-    corner_forces_with<ViscosityKind::tensor>(mesh, state, parameters, dt, work);
+    corner_forces_with<ViscosityKind::tensor>(mesh, state, derived, parameters, dt, work);
   }
 
   template void
-  corner_forces_tensor(const FlatMesh<2> &, const State<2> &, const HydroParameters &, double, StepWork<2> &);
+  corner_forces_tensor(const FlatMesh<2> &, const State<2> &, const Derived &, const HydroParameters &, double,
+                       StepWork<2> &);
 } // namespace whipple::cell_kernels

@@ -77,12 +77,7 @@ namespace whipple
           if (!materials[m].strength)
             continue;
           work.has_strength = true;
-          if (materials[m].strength->needs_pressure())
-            next.solid_pressure.resize(mesh.n_cells);
-          if (materials[m].strength->needs_strain_rate())
-            work.strain_rate.resize(mesh.n_cells);
-          for (auto *array : {&next.shear_modulus, &next.yield_stress, &next.stress[0], &next.stress[1],
-                              &next.stress[2], &next.plastic_strain})
+          for (auto *array : {&next.stress[0], &next.stress[1], &next.stress[2], &next.plastic_strain})
             array->resize(mesh.n_cells);
         }
       return work;
@@ -153,6 +148,9 @@ namespace whipple
     , motion_(mesh, boundaries, materials)
     , work_(make_work(mesh, materials, boundaries))
     , scratch_(material_passes::make_scratch(materials, mesh.n_cells))
+    , needs_strain_rate_(std::any_of(materials.begin(), materials.end(), [](const Material &material) {
+      return material.strength && material.strength->needs_strain_rate();
+    }))
   {
     if (parameters.viscosity != ViscosityKind::scalar)
       work_.viscous_force.resize(pack_count(mesh.n_cells));
@@ -167,44 +165,51 @@ namespace whipple
 
   template <int dim>
   void
-  LagrangeStep<dim>::update_pressure(State<dim> &state) const
+  LagrangeStep<dim>::evaluate_pressure(const State<dim> &state, Derived &derived)
   {
-    material_passes::evaluate_pressure(materials_, state, scratch_);
-    strength_is_current_ = false;
+    material_passes::evaluate_pressure(materials_, state, scratch_, derived);
   }
 
   template <int dim>
   void
-  LagrangeStep<dim>::evaluate_strength(const State<dim> &state) const
+  LagrangeStep<dim>::evaluate_strength(const State<dim> &state, Derived &derived)
   {
-    if (!work_.has_strength || strength_is_current_)
+    if (!work_.has_strength)
       return;
-    if (!work_.strain_rate.empty())
-      cell_kernels::strain_rates(mesh_, state, work_);
-    material_passes::evaluate_strength(materials_, state, scratch_, work_);
-    strength_is_current_ = true;
+    if (needs_strain_rate_)
+      {
+        derived.strain_rate.resize(mesh_.n_cells);
+        cell_kernels::strain_rates(mesh_, state, derived.strain_rate);
+      }
+    material_passes::evaluate_strength(materials_, state, scratch_, derived);
+  }
+
+  template <int dim>
+  void
+  LagrangeStep<dim>::evaluate(const State<dim> &state, Derived &derived)
+  {
+    evaluate_pressure(state, derived);
+    evaluate_strength(state, derived);
   }
 
   template <int dim>
   TimeStepLimit
-  LagrangeStep<dim>::time_step(const State<dim> &state, std::span<const Index> exempt) const
+  LagrangeStep<dim>::time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt)
   {
-    evaluate_strength(state);
     if (!motion_.drives_nodes())
-      return find_time_step<dim>(mesh_, state, state.velocity, parameters_, work_, exempt);
+      return find_time_step<dim>(mesh_, state, derived, state.velocity, parameters_, work_, exempt);
     // a side that is about to move its nodes squeezes the cells beside it, whatever velocity they still have
     for (int d = 0; d < dim; ++d)
       std::copy(state.velocity[d].begin(), state.velocity[d].end(), work_.velocity[d].begin());
     motion_.drive(state, work_.velocity);
-    return find_time_step<dim>(mesh_, state, work_.velocity, parameters_, work_, exempt);
+    return find_time_step<dim>(mesh_, state, derived, work_.velocity, parameters_, work_, exempt);
   }
 
   template <int dim>
   std::vector<Index>
-  LagrangeStep<dim>::slivers(const State<dim> &state, double bound) const
+  LagrangeStep<dim>::slivers(const State<dim> &state, const Derived &derived, double bound) const
   {
-    evaluate_strength(state);
-    return find_slivers<dim>(mesh_, state, parameters_, work_, bound);
+    return find_slivers<dim>(mesh_, state, derived, parameters_, work_, bound);
   }
 
   template <int dim>
@@ -238,22 +243,21 @@ namespace whipple
 
   template <int dim>
   LagrangeReport<dim>
-  LagrangeStep<dim>::advance(State<dim> &state, double dt, std::span<const RigidFragment<dim>> rigid)
+  LagrangeStep<dim>::advance(State<dim> &state, const Derived &derived, double dt,
+                             std::span<const RigidFragment<dim>> rigid)
   {
-    evaluate_strength(state);
     motion_.predict(state, dt, work_);
     cell_kernels::stretch_rates(mesh_, state, work_);
-    cell_kernels::corner_forces(mesh_, state, parameters_, dt, work_);
-    motion_.load_sides(state, dt, work_);
+    cell_kernels::corner_forces(mesh_, state, derived, parameters_, dt, work_);
+    motion_.load_sides(state, derived, dt, work_);
     const BoundaryExchange<dim> exchange    = motion_.move(state, dt, rigid, work_);
-    cell_kernels::Dissipation   dissipation = cell_kernels::update_cells(mesh_, state, dt, work_);
+    cell_kernels::Dissipation   dissipation = cell_kernels::update_cells(mesh_, state, derived, dt, work_);
     if (!work_.viscous_force.empty())
       dissipation.viscous = cell_kernels::viscous_work(mesh_, dt, work_);
     material_passes::advance_voids(materials_, state, dt, scratch_, work_);
     material_passes::check_densities(mesh_, materials_, state, work_);
 
     commit(state, dt);
-    update_pressure(state);
     return {dissipation.viscous, dissipation.hourglass, dissipation.plastic, exchange.work, exchange.momentum};
   }
 

@@ -114,38 +114,44 @@ namespace whipple::material_passes
           scratch.soundness.resize(n_cells);
         if (material.void_law && material.melts)
           scratch.melt_fraction.resize(n_cells);
+        if (material.strength && material.strength->needs_pressure())
+          scratch.solid_pressure.resize(n_cells);
       }
     return scratch;
   }
 
   template <int dim>
   void
-  evaluate_pressure(const std::vector<Material> &materials, State<dim> &state, Scratch &scratch)
+  evaluate_pressure(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch, Derived &derived)
   {
     const Index n_cells = state.n_cells();
+    derived.material.resize(materials.size());
     for (std::size_t m = 0; m < materials.size(); ++m)
       {
-        MaterialState &material = state.material[m];
+        const MaterialState &material    = state.material[m];
+        std::vector<double> &pressure    = derived.material[m].pressure;
+        std::vector<double> &sound_speed = derived.material[m].sound_speed;
+        pressure.resize(n_cells);
+        sound_speed.resize(n_cells);
         solid_state::true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
                                   scratch.true_density);
-        materials[m].eos->evaluate(scratch.true_density, material.energy, material.pressure, material.sound_speed);
+        materials[m].eos->evaluate(scratch.true_density, material.energy, pressure, sound_speed);
         if (material.has_voids())
           for (Index cell = 0; cell < n_cells; ++cell)
-            material.pressure[cell] *= 1. - material.void_fraction[cell];
-        solid_state::part_in_tension(scratch.true_density, materials[m].eos->reference_density(), material.pressure);
+            pressure[cell] *= 1. - material.void_fraction[cell];
+        solid_state::part_in_tension(scratch.true_density, materials[m].eos->reference_density(), pressure);
         for (Index cell = 0; cell < n_cells; ++cell)
           {
-            const bool there           = material.mass[cell] > materials[m].trace_density * state.volume[cell];
-            material.pressure[cell]    = there ? material.pressure[cell] : 0.;
-            material.sound_speed[cell] = there ? std::sqrt(std::max(material.sound_speed[cell], 0.)) : 0.;
+            const bool there  = material.mass[cell] > materials[m].trace_density * state.volume[cell];
+            pressure[cell]    = there ? pressure[cell] : 0.;
+            sound_speed[cell] = there ? std::sqrt(std::max(sound_speed[cell], 0.)) : 0.;
           }
       }
   }
 
   template <int dim>
   void
-  evaluate_strength(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch,
-                    StepWork<dim> &work)
+  evaluate_strength(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch, Derived &derived)
   {
     const FieldIndex &index = state.index;
     if (index.stress_00 < 0 || index.stress_11 < 0 || index.stress_01 < 0 || index.plastic_strain < 0)
@@ -155,20 +161,26 @@ namespace whipple::material_passes
         if (!materials[m].strength)
           continue;
         const MaterialState &material = state.material[m];
-        MaterialWork        &next     = work.material[m];
+        DerivedMaterial     &result   = derived.material[m];
+        result.shear_modulus.resize(state.n_cells());
+        result.yield_stress.resize(state.n_cells());
         solid_state::true_density(material.density, material.void_fraction, materials[m].eos->reference_density(),
                                   scratch.true_density);
-        if (!next.solid_pressure.empty())
-          solid_state::pressure(material.pressure, material.void_fraction, next.solid_pressure);
-        materials[m].strength->evaluate({scratch.true_density, material.energy, next.solid_pressure,
-                                         material.fields[index.plastic_strain].value, work.strain_rate},
-                                        next.shear_modulus, next.yield_stress);
+        std::span<const double> solid_pressure;
+        if (materials[m].strength->needs_pressure())
+          {
+            solid_state::pressure(result.pressure, material.void_fraction, scratch.solid_pressure);
+            solid_pressure = scratch.solid_pressure;
+          }
+        materials[m].strength->evaluate({scratch.true_density, material.energy, solid_pressure,
+                                         material.fields[index.plastic_strain].value, derived.strain_rate},
+                                        result.shear_modulus, result.yield_stress);
         if (!materials[m].failure || index.damage < 0)
           continue;
         const std::vector<double> &damage        = material.fields[index.damage].value;
         const bool                 counts_strain = materials[m].failure->needs_strength();
         for (std::size_t c = 0; c < damage.size(); ++c)
-          next.yield_stress[c] *= strength_left(counts_strain, damage[c]);
+          result.yield_stress[c] *= strength_left(counts_strain, damage[c]);
       }
   }
 
@@ -189,9 +201,9 @@ namespace whipple::material_passes
   }
 
   template void
-  evaluate_pressure(const std::vector<Material> &, State<2> &, Scratch &);
+  evaluate_pressure(const std::vector<Material> &, const State<2> &, Scratch &, Derived &);
   template void
-  evaluate_strength(const std::vector<Material> &, const State<2> &, Scratch &, StepWork<2> &);
+  evaluate_strength(const std::vector<Material> &, const State<2> &, Scratch &, Derived &);
   template void
   check_densities(const FlatMesh<2> &, const std::vector<Material> &, const State<2> &, const StepWork<2> &);
   template void

@@ -121,7 +121,7 @@ namespace whipple
 
   template <int dim>
   void
-  NodeMotion<dim>::load_sides(const State<dim> &state, double dt, const StepWork<dim> &work)
+  NodeMotion<dim>::load_sides(const State<dim> &state, const Derived &derived, double dt, const StepWork<dim> &work)
   {
     for (const Index node : traction_node_)
       for (int d = 0; d < dim; ++d)
@@ -132,7 +132,7 @@ namespace whipple
         if (side.kind == BoundaryKind::pressure || side.keeps_ambient)
           press(face, side.pressure, state, work);
         if (side.kind == BoundaryKind::transmitting)
-          absorb(face, state, dt, work);
+          absorb(face, state, derived, dt, work);
       }
   }
 
@@ -171,7 +171,8 @@ namespace whipple
 
   template <int dim>
   void
-  NodeMotion<dim>::absorb(const LoadedFace &face, const State<dim> &state, double dt, const StepWork<dim> &work)
+  NodeMotion<dim>::absorb(const LoadedFace &face, const State<dim> &state, const Derived &derived, double dt,
+                          const StepWork<dim> &work)
   {
     const Edge           at       = edge(face, work);
     const Boundary<dim> &side     = boundaries_[face.side];
@@ -187,7 +188,7 @@ namespace whipple
         contact.sliding += 0.5 * (state.velocity[1 - axis][at.node[i]] - side.velocity[1 - axis]);
       }
     contact.sliding         = std::abs(contact.sliding);
-    const OutgoingWave wave = outgoing_wave(contact, beyond_[face.side], state, dt, work);
+    const OutgoingWave wave = outgoing_wave(contact, beyond_[face.side], state, derived, dt, work);
     for (int d = 0; d < dim; ++d)
       {
         const double impedance = d == axis ? wave.normal : wave.tangential;

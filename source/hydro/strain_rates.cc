@@ -10,7 +10,7 @@ namespace whipple::cell_kernels
   {
     template <Symmetry symmetry, int dim>
     void
-    strain_rates_of(const FlatMesh<dim> &mesh, const State<dim> &state, StepWork<dim> &work)
+    strain_rates_of(const FlatMesh<dim> &mesh, const State<dim> &state, std::vector<double> &result)
     {
       for (Index first = 0; first < mesh.n_cells; first += pack_size)
         {
@@ -22,21 +22,21 @@ namespace whipple::cell_kernels
               plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
           // the equivalent of a rate is 2/3 of what that of a stress with its components would be
           const plasticity::Deviator<Pack> as_stress{rate.d00, rate.d11, rate.d01};
-          store(Pack(2. / 3. * plasticity::equivalent_stress(as_stress)), work.strain_rate, first);
+          store(Pack(2. / 3. * plasticity::equivalent_stress(as_stress)), result, first);
         }
     }
   } // namespace
 
   template <int dim>
   void
-  strain_rates(const FlatMesh<dim> &mesh, const State<dim> &state, StepWork<dim> &work)
+  strain_rates(const FlatMesh<dim> &mesh, const State<dim> &state, std::vector<double> &result)
   {
     if (mesh.symmetry == Symmetry::planar)
-      strain_rates_of<Symmetry::planar>(mesh, state, work);
+      strain_rates_of<Symmetry::planar>(mesh, state, result);
     else
-      strain_rates_of<Symmetry::axisymmetric>(mesh, state, work);
+      strain_rates_of<Symmetry::axisymmetric>(mesh, state, result);
   }
 
   template void
-  strain_rates<2>(const FlatMesh<2> &, const State<2> &, StepWork<2> &);
+  strain_rates<2>(const FlatMesh<2> &, const State<2> &, std::vector<double> &);
 } // namespace whipple::cell_kernels

@@ -41,25 +41,26 @@ namespace whipple
     /// fast a pressure drives matter apart whose law has no real sound speed (c = 0 there).
     template <int dim>
     Content
-    content(const State<dim> &state, const StepWork<dim> &work, Index first)
+    content(const State<dim> &state, const Derived &derived, const StepWork<dim> &work, Index first)
     {
       const Pack volume = load(state.volume, first);
       Pack       fastest(0.), occupied(0.);
       auto       any = volume < 0.;
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
-          const MaterialState &material = state.material[m];
-          const auto           felt     = trace::has_state(material, work.material[m], volume, first);
-          any                           = any || felt;
+          const MaterialState   &material = state.material[m];
+          const DerivedMaterial &from     = derived.material[m];
+          const auto             felt     = trace::has_state(material, work.material[m], volume, first);
+          any                             = any || felt;
           occupied += load(material.volume, first);
-          const Pack c = load(material.sound_speed, first), inverse_density = 1. / load(material.density, first);
-          Pack       square = max(c * c, Pack(abs(load(material.pressure, first)) * inverse_density));
-          if (!work.material[m].shear_modulus.empty())
+          const Pack c = load(from.sound_speed, first), inverse_density = 1. / load(material.density, first);
+          Pack       square = max(c * c, Pack(abs(load(from.pressure, first)) * inverse_density));
+          if (!from.shear_modulus.empty())
             {
               Pack solid = inverse_density;
               if (material.has_voids())
                 solid *= 1. - load(material.void_fraction, first);
-              square += 4. / 3. * load(work.material[m].shear_modulus, first) * solid;
+              square += 4. / 3. * load(from.shear_modulus, first) * solid;
             }
           fastest = max(fastest, select(felt, square, Pack(0.)));
         }
@@ -80,11 +81,12 @@ namespace whipple
 
     template <Symmetry symmetry, int dim>
     Allowed
-    allowed(const FlatMesh<dim> &mesh, const State<dim> &state, const std::array<std::vector<double>, dim> &velocity,
-            const HydroParameters &parameters, const StepWork<dim> &work, Index first)
+    allowed(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+            const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
+            const StepWork<dim> &work, Index first)
     {
       Allowed       result;
-      const Content held = content(state, work, first);
+      const Content held = content(state, derived, work, first);
       // cold gas has no sound, but it too must not be squeezed through itself
       result.there = held.felt && lanes_below(first, mesh.n_owned);
       result.dt    = Pack(unlimited);
@@ -118,14 +120,14 @@ namespace whipple
 
     template <Symmetry symmetry, int dim>
     TimeStepLimit
-    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+    smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                        const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                        const StepWork<dim> &work, std::span<const Index> exempt)
     {
       TimeStepLimit limit{unlimited, "sound", none};
       for (Index first = 0; first < mesh.n_owned; first += pack_size)
         {
-          const Allowed a = allowed<symmetry, dim>(mesh, state, velocity, parameters, work, first);
+          const Allowed a = allowed<symmetry, dim>(mesh, state, derived, velocity, parameters, work, first);
           if (none_of(a.dt < limit.dt))
             continue;
           for (Index lane = 0; lane < pack_size; ++lane)
@@ -141,14 +143,14 @@ namespace whipple
 
     template <Symmetry symmetry, int dim>
     std::vector<Index>
-    thin_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
-               const StepWork<dim> &work, double bound)
+    thin_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+               const HydroParameters &parameters, const StepWork<dim> &work, double bound)
     {
       constexpr double   thin = 1. / 25; // smallest extent over the longest side
       std::vector<Index> cells;
       for (Index first = 0; first < mesh.n_owned; first += pack_size)
         {
-          const Allowed a = allowed<symmetry, dim>(mesh, state, state.velocity, parameters, work, first);
+          const Allowed a = allowed<symmetry, dim>(mesh, state, derived, state.velocity, parameters, work, first);
           if (none_of(a.dt < bound))
             continue;
           const geometry::QuadOf<Pack> x    = gather_corners(mesh, state.position, first);
@@ -164,28 +166,29 @@ namespace whipple
 
   template <int dim>
   TimeStepLimit
-  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state,
+  find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                  const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
                  const StepWork<dim> &work, std::span<const Index> exempt)
   {
     if (mesh.symmetry == Symmetry::planar)
-      return smallest_time_step<Symmetry::planar, dim>(mesh, state, velocity, parameters, work, exempt);
-    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, velocity, parameters, work, exempt);
+      return smallest_time_step<Symmetry::planar, dim>(mesh, state, derived, velocity, parameters, work, exempt);
+    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, derived, velocity, parameters, work, exempt);
   }
 
   template <int dim>
   std::vector<Index>
-  find_slivers(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters,
-               const StepWork<dim> &work, double bound)
+  find_slivers(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+               const HydroParameters &parameters, const StepWork<dim> &work, double bound)
   {
     if (mesh.symmetry == Symmetry::planar)
-      return thin_cells<Symmetry::planar, dim>(mesh, state, parameters, work, bound);
-    return thin_cells<Symmetry::axisymmetric, dim>(mesh, state, parameters, work, bound);
+      return thin_cells<Symmetry::planar, dim>(mesh, state, derived, parameters, work, bound);
+    return thin_cells<Symmetry::axisymmetric, dim>(mesh, state, derived, parameters, work, bound);
   }
 
   template TimeStepLimit
-  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const std::array<std::vector<double>, 2> &,
+  find_time_step<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::array<std::vector<double>, 2> &,
                     const HydroParameters &, const StepWork<2> &, std::span<const Index>);
   template std::vector<Index>
-  find_slivers(const FlatMesh<2> &, const State<2> &, const HydroParameters &, const StepWork<2> &, double);
+  find_slivers(const FlatMesh<2> &, const State<2> &, const Derived &, const HydroParameters &, const StepWork<2> &,
+               double);
 } // namespace whipple

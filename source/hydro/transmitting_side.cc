@@ -39,8 +39,8 @@ namespace whipple
 
   template <int dim>
   OutgoingWave
-  outgoing_wave(const SideContact &at, const std::vector<BeyondSide> &beyond, const State<dim> &state, double dt,
-                const StepWork<dim> &work)
+  outgoing_wave(const SideContact &at, const std::vector<BeyondSide> &beyond, const State<dim> &state,
+                const Derived &derived, double dt, const StepWork<dim> &work)
   {
     const Index  cell      = at.cell;
     const double viscosity = work.half_step[cell / pack_size].viscosity[cell % pack_size];
@@ -49,18 +49,18 @@ namespace whipple
     OutgoingWave wave;
     for (std::size_t m = 0; m < state.material.size(); ++m)
       {
-        const MaterialState &material = state.material[m];
+        const MaterialState   &material = state.material[m];
+        const DerivedMaterial &from     = derived.material[m];
         if (!(material.volume[cell] > 0))
           continue;
         const double share = material.volume[cell] / state.volume[cell], density = material.density[cell];
-        const double bulk = material.sound_speed[cell];
-        wave.normal +=
-            share * secant_impedance(beyond[m], material.pressure[cell] + viscosity, density, bulk, steepening);
-        if (work.material[m].shear_modulus.empty())
+        const double bulk = from.sound_speed[cell];
+        wave.normal += share * secant_impedance(beyond[m], from.pressure[cell] + viscosity, density, bulk, steepening);
+        if (from.shear_modulus.empty())
           continue;
         const double solid = material.has_voids() ? 1. - material.void_fraction[cell] : 1.;
-        const double shear = solid * work.material[m].shear_modulus[cell];
-        const double yield = solid * work.material[m].yield_stress[cell];
+        const double shear = solid * from.shear_modulus[cell];
+        const double yield = solid * from.yield_stress[cell];
         const double along = std::sqrt(bulk * bulk + 4. / 3. * shear / density);
         if (!(along > 0))
           continue;
@@ -79,5 +79,6 @@ namespace whipple
   template BeyondSide
   beyond_side(const Boundary<2> &, std::size_t, const EquationOfState &);
   template OutgoingWave
-  outgoing_wave(const SideContact &, const std::vector<BeyondSide> &, const State<2> &, double, const StepWork<2> &);
+  outgoing_wave(const SideContact &, const std::vector<BeyondSide> &, const State<2> &, const Derived &, double,
+                const StepWork<2> &);
 } // namespace whipple

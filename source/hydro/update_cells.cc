@@ -78,16 +78,16 @@ namespace whipple::cell_kernels
     /// Closure of one mixed cell into work.material[].volume.
     template <int dim>
     void
-    share_volume(const State<dim> &state, Index cell, StepWork<dim> &work, std::vector<closure::Part> &part,
-                 std::vector<double> &result)
+    share_volume(const State<dim> &state, const Derived &derived, Index cell, StepWork<dim> &work,
+                 std::vector<closure::Part> &part, std::vector<double> &result)
     {
       part.clear();
       for (std::size_t m = 0; m < state.material.size(); ++m)
         if (const MaterialState &material = state.material[m];
             trace::has_state(material, work.material[m], state.volume[cell], cell))
           {
-            const double c = material.sound_speed[cell];
-            part.push_back({material.volume[cell], material.density[cell] * c * c, material.pressure[cell],
+            const double c = derived.material[m].sound_speed[cell];
+            part.push_back({material.volume[cell], material.density[cell] * c * c, derived.material[m].pressure[cell],
                             loose_pressure(state, material, work, cell)});
           }
       const double traces = place_traces(state, cell, !part.empty(), work);
@@ -162,8 +162,8 @@ namespace whipple::cell_kernels
     /// Next volume of every material: the cell's own where it is alone, the closure's in mixed cells.
     template <int dim>
     void
-    update_volumes(const State<dim> &state, const Filling &fill, const Pack &next_volume, Index first,
-                   StepWork<dim> &work, std::vector<closure::Part> &part, std::vector<double> &result)
+    update_volumes(const State<dim> &state, const Derived &derived, const Filling &fill, const Pack &next_volume,
+                   Index first, StepWork<dim> &work, std::vector<closure::Part> &part, std::vector<double> &result)
     {
       store(next_volume, work.volume, first);
       for (std::size_t m = 0; m < state.material.size(); ++m)
@@ -174,7 +174,7 @@ namespace whipple::cell_kernels
       const Index end = std::min<Index>(state.n_cells(), first + pack_size);
       for (Index cell = first; cell < end; ++cell)
         if (fill.mixed[cell - first])
-          share_volume(state, cell, work, part, result);
+          share_volume(state, derived, cell, work, part, result);
     }
 
     /// Next density and energy of every material. The work on the cell goes to its only material; where there
@@ -222,24 +222,25 @@ namespace whipple::cell_kernels
     /// @return plastic work in the cells of the pack
     template <int dim>
     Pack
-    update_stresses(const State<dim> &state, const VelocityGradient<Pack> &gradient, double dt, Index first,
-                    StepWork<dim> &work)
+    update_stresses(const State<dim> &state, const Derived &derived, const VelocityGradient<Pack> &gradient, double dt,
+                    Index first, StepWork<dim> &work)
     {
       const auto rate =
           plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
       Pack plastic_work(0.);
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
-          const MaterialState &old  = state.material[m];
-          MaterialWork        &next = work.material[m];
-          if (next.shear_modulus.empty())
+          const MaterialState   &old  = state.material[m];
+          const DerivedMaterial &from = derived.material[m];
+          MaterialWork          &next = work.material[m];
+          if (from.shear_modulus.empty())
             continue;
           const auto           there = load(old.mass, first) > 0.;
           plasticity::Deviator s{Pack(0.), Pack(0.), Pack(0.)};
           Pack                 strain(0.);
           if (any_of(there))
             {
-              const Pack shear = load(next.shear_modulus, first), yield = load(next.yield_stress, first);
+              const Pack shear = load(from.shear_modulus, first), yield = load(from.yield_stress, first);
               s = {load(old.fields[state.index.stress_00].value, first),
                    load(old.fields[state.index.stress_11].value, first),
                    load(old.fields[state.index.stress_01].value, first)};
@@ -267,7 +268,8 @@ namespace whipple::cell_kernels
 
     template <Symmetry symmetry, bool strength, int dim>
     Dissipation
-    update_cells_of(const FlatMesh<dim> &mesh, const State<dim> &state, double dt, StepWork<dim> &work)
+    update_cells_of(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, double dt,
+                    StepWork<dim> &work)
     {
       std::vector<closure::Part> &part   = work.mixed_part;
       std::vector<double>        &result = work.mixed_volume;
@@ -291,12 +293,12 @@ namespace whipple::cell_kernels
             power += force[0][k] * v[0][k] + force[1][k] * v[1][k];
 
           const Filling fill = filling(state, work, first);
-          update_volumes(state, fill, next, first, work, part, result);
+          update_volumes(state, derived, fill, next, first, work, part, result);
           update_energies(state, fill, Pack(-dt * power), first, work);
 
           const auto gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
           if constexpr (strength)
-            plastic += select(owned, update_stresses(state, gradient, dt, first, work), Pack(0.));
+            plastic += select(owned, update_stresses(state, derived, gradient, dt, first, work), Pack(0.));
           viscous -= select(owned, Pack(dt * half.viscosity * half.volume * gradient.divergence()), Pack(0.));
           const auto rate = hourglass::velocity(half.hourglass_shape, gradient, v);
           hourglassing +=
@@ -308,18 +310,19 @@ namespace whipple::cell_kernels
 
   template <int dim>
   Dissipation
-  update_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt, StepWork<dim> &work)
+  update_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, double dt,
+               StepWork<dim> &work)
   {
     const bool planar = mesh.symmetry == Symmetry::planar;
     if (planar && work.has_strength)
-      return update_cells_of<Symmetry::planar, true>(mesh, state, dt, work);
+      return update_cells_of<Symmetry::planar, true>(mesh, state, derived, dt, work);
     if (planar)
-      return update_cells_of<Symmetry::planar, false>(mesh, state, dt, work);
+      return update_cells_of<Symmetry::planar, false>(mesh, state, derived, dt, work);
     if (work.has_strength)
-      return update_cells_of<Symmetry::axisymmetric, true>(mesh, state, dt, work);
-    return update_cells_of<Symmetry::axisymmetric, false>(mesh, state, dt, work);
+      return update_cells_of<Symmetry::axisymmetric, true>(mesh, state, derived, dt, work);
+    return update_cells_of<Symmetry::axisymmetric, false>(mesh, state, derived, dt, work);
   }
 
   template Dissipation
-  update_cells<2>(const FlatMesh<2> &, const State<2> &, double, StepWork<2> &);
+  update_cells<2>(const FlatMesh<2> &, const State<2> &, const Derived &, double, StepWork<2> &);
 } // namespace whipple::cell_kernels

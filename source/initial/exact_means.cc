@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace whipple
 {
@@ -179,6 +180,101 @@ namespace whipple
         }
       return filled > 0 && filled < 4;
     }
+    /// Points for a solution that is no profile and may jump anywhere: Gauss' rule, on quarters of quarters where the
+    /// values at its points look like a jump.
+    class JumpRefined
+    {
+    public:
+      JumpRefined(const exact::ExactSolution<2> &solution, const Cell &cell, double time)
+        : solution_(solution)
+        , cell_(cell)
+        , time_(time)
+      {
+      }
+
+      std::vector<VolumePoint<2>>
+      points() const
+      {
+        std::vector<VolumePoint<2>> result;
+        add(0., 0., 1., deepest, result);
+        return result;
+      }
+
+    private:
+      static constexpr int deepest = 4;
+
+      /// Values of one quantity on the square [xi, xi + size] x [eta, eta + size]: at Gauss' points, at its corners.
+      struct Values
+      {
+        std::array<double, gauss * gauss> inner;
+        std::array<double, 4>             corner;
+      };
+
+      /// Smooth values have a small share of the third Legendre polynomial along each line, and corners that go on
+      /// from them: a jump between two points has a share of 0.37 or more of its height, one beyond the points shows at
+      /// a corner.
+      static bool
+      looks_like_jump(const Values &values)
+      {
+        constexpr double part = 0.05, round_off = 1e-12;
+        // (7/2) w P_3 at the points, weights w of [-1, 1]
+        const auto   legendre = [](double x) { return 0.5 * x * (5. * x * x - 3.); };
+        const double a = 3.5 * outer_weight * legendre(outer), b = 3.5 * inner_weight * legendre(inner);
+        const auto [low, high]   = std::minmax_element(values.inner.begin(), values.inner.end());
+        const auto [least, most] = std::minmax_element(values.corner.begin(), values.corner.end());
+        const double range = *high - *low, noise = round_off * std::max(std::abs(*high), std::abs(*low));
+        if (*low - *least > range + noise || *most - *high > range + noise)
+          return true;
+        for (int i = 0; i < gauss; ++i)
+          for (const auto &[first, step] : {std::pair{i * gauss, 1}, std::pair{i, gauss}})
+            {
+              const auto value = [&, first = first, step = step](int k) { return values.inner[first + k * step]; };
+              if (std::abs(a * (value(3) - value(0)) + b * (value(2) - value(1))) > part * range + noise)
+                return true;
+            }
+        return false;
+      }
+
+      bool
+      is_rough(double xi, double eta, double size) const
+      {
+        std::array<Values, 4> all; // density, energy, velocity
+        const auto            enter = [&](const Vector<2> &x, auto place) {
+          const exact::PointState<2> state = solution_.at(x, time_);
+          place(all[0])                    = state.density;
+          place(all[1])                    = state.energy;
+          place(all[2])                    = state.velocity[0];
+          place(all[3])                    = state.velocity[1];
+        };
+        for (int j = 0; j < gauss; ++j)
+          for (int i = 0; i < gauss; ++i)
+            enter(cell_.at(xi + size * gauss_point[i], eta + size * gauss_point[j]),
+                  [k = j * gauss + i](Values &v) -> double & { return v.inner[k]; });
+        for (int k = 0; k < 4; ++k)
+          enter(cell_.at(xi + size * (k & 1), eta + size * (k >> 1)),
+                [k](Values &v) -> double & { return v.corner[k]; });
+        return std::any_of(all.begin(), all.end(), looks_like_jump);
+      }
+
+      void
+      add(double xi, double eta, double size, int depth, std::vector<VolumePoint<2>> &result) const
+      {
+        if (depth > 0 && is_rough(xi, eta, size))
+          {
+            for (int k = 0; k < 4; ++k)
+              add(xi + 0.5 * size * (k & 1), eta + 0.5 * size * (k >> 1), 0.5 * size, depth - 1, result);
+            return;
+          }
+        for (int j = 0; j < gauss; ++j)
+          for (int i = 0; i < gauss; ++i)
+            result.push_back(cell_.point(xi + size * gauss_point[i], eta + size * gauss_point[j],
+                                         size * gauss_weight[i] * (size * gauss_weight[j])));
+      }
+
+      const exact::ExactSolution<2> &solution_;
+      const Cell                    &cell_;
+      double                         time_;
+    };
   } // namespace
 
   template <>
@@ -192,6 +288,8 @@ namespace whipple
     if (edge_passes(solution, corner, time))
       return tensor_points(
           cell, midpoints, [](int i) { return (i + 0.5) / midpoints; }, [](int) { return 1. / midpoints; });
+    if (!solution.profile_coordinate(cell.at(0.5, 0.5)))
+      return JumpRefined(solution, cell, time).points();
     return tensor_points(
         cell, gauss, [](int i) { return gauss_point[i]; }, [](int i) { return gauss_weight[i]; });
   }

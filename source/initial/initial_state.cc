@@ -44,8 +44,10 @@ namespace whipple
   }
 
   template <int dim>
-  ExactFilling<dim>::ExactFilling(const Scene<dim> &scene, const FlatMesh<dim> &mesh, const State<dim> &state)
-    : scene_(scene)
+  ExactFilling<dim>::ExactFilling(const exact::ExactSolution<dim> &solution, const Scene<dim> &scene,
+                                  const FlatMesh<dim> &mesh, const State<dim> &state)
+    : solution_(solution)
+    , scene_(scene)
     , mesh_(mesh)
     , node_velocity_(mesh.n_nodes)
   {
@@ -54,7 +56,7 @@ namespace whipple
         Vector<dim> x;
         for (int d = 0; d < dim; ++d)
           x[d] = state.position[d][n];
-        node_velocity_[n] = scene.exact->at(x, state.time).velocity;
+        node_velocity_[n] = solution.at(x, state.time).velocity;
       }
     for (std::size_t h = 0; h < mesh.hanging.size(); ++h)
       for (int d = 0; d < dim; ++d)
@@ -67,8 +69,8 @@ namespace whipple
   ExactFilling<dim>::fill(const Body<dim> &body, const State<dim> &state, Index cell) const
   {
     const geometry::Quad  corner = cell_corners(mesh_, state, cell);
-    const auto            points = material_points(*scene_.exact, mesh_.symmetry, corner, state.time);
-    const ExactMeans<dim> means  = exact_means<dim>(*scene_.exact, points, state.time);
+    const auto            points = material_points(solution_, mesh_.symmetry, corner, state.time);
+    const ExactMeans<dim> means  = exact_means<dim>(solution_, points, state.time);
     CellFilling<dim>      filling{means.density, means.energy, {}};
     if (points.empty() && body.density > 0)
       filling = {body.density, body.energy, {}}; // a sliver between all points: its state does not matter
@@ -77,7 +79,7 @@ namespace whipple
     if (!(filling.density > 0) || std::isnan(filling.energy) || (!points.empty() && !is_given<dim>(means.velocity)))
       {
         std::ostringstream text;
-        text << "body '" << body.name << "': the exact solution '" << scene_.exact->name() << "' gives density "
+        text << "body '" << body.name << "': the exact solution '" << solution_.name() << "' gives density "
              << filling.density << " g/cm^3, energy " << filling.energy << " Mbar cm^3/g, velocity ("
              << means.velocity[0] << ", " << means.velocity[1] << ") cm/us in the cell at (" << corner[0][0] << ", "
              << corner[1][0] << ") cm; an initial state needs them all";
@@ -87,7 +89,7 @@ namespace whipple
       {
         // a corner on the edge of the material may lie outside it by round-off
         const Vector<dim> &v = node_velocity_[mesh_.cell_node[cell * FlatMesh<dim>::corners + k]];
-        filling.velocity[k]  = is_given<dim>(v) ? v : means.velocity;
+        filling.velocity[k]  = is_given<dim>(v) ? v : (points.empty() ? body.velocity : means.velocity);
       }
     return filling;
   }

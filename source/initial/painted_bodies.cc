@@ -66,7 +66,7 @@ namespace whipple
     for (const std::size_t b : bodies)
       {
         const Body<dim> &body = scene.bodies[b];
-        if (body.initial_state == InitialState::exact)
+        if (!body.is_uniform())
           return;
         const double m      = body.density * whole_volume(scene, body);
         double       square = 0;

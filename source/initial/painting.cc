@@ -5,6 +5,7 @@
 #include <whipple/initial/painting.h>
 #include <whipple/mesh/collective.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/box_shape.h>
 #include <whipple/scene/material_effects.h>
 #include <whipple/state/round_off_share.h>
 
@@ -39,11 +40,36 @@ namespace whipple
       return x;
     }
 
+    /// The solution that a body starts from; null if it is uniform.
     template <int dim>
-    bool
-    enters_exact(const Body<dim> &body)
+    const exact::ExactSolution<dim> *
+    initial_solution(const Scene<dim> &scene, const Body<dim> &body)
     {
-      return body.initial_state == InitialState::exact;
+      return body.is_uniform() ? nullptr : body.field ? body.field.get() : scene.exact.get();
+    }
+
+    /// A solution that fills bodies, and the cells that hold nothing else.
+    template <int dim>
+    struct SolutionFilling
+    {
+      const exact::ExactSolution<dim> *solution;
+      ExactFilling<dim>                filling;
+      std::vector<std::uint8_t>        alone;
+    };
+
+    /// One for each solution that bodies start from.
+    template <int dim>
+    std::vector<SolutionFilling<dim>>
+    solution_fillings(const Scene<dim> &scene, std::span<const std::size_t> bodies, const FlatMesh<dim> &mesh,
+                      const State<dim> &state)
+    {
+      std::vector<SolutionFilling<dim>> all;
+      for (const std::size_t b : bodies)
+        if (const auto *solution = initial_solution(scene, scene.bodies[b]);
+            solution && std::none_of(all.begin(), all.end(), [&](const auto &f) { return f.solution == solution; }))
+          all.push_back(
+              {solution, ExactFilling<dim>(*solution, scene, mesh, state), std::vector<std::uint8_t>(mesh.n_cells, 0)});
+      return all;
     }
 
     /// Add one body to one cell; returns the mass added.
@@ -143,7 +169,7 @@ namespace whipple
           upper[d] = std::min(upper[d] + margin, lattice.finest(d));
         }
       const Vector<dim> from = position<dim>(lattice, lower), to = position<dim>(lattice, upper);
-      const double      whole = body_volume<dim>(lattice.symmetry, Box<dim>{from, to}, from, to);
+      const double      whole = box_volume(lattice.symmetry, from, to);
       return body_volume<dim>(lattice.symmetry, shape, from, to) > (1. - 1e-9) * whole;
     }
   } // namespace
@@ -219,16 +245,14 @@ namespace whipple
   paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
                const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state)
   {
-    CornerVelocities<dim>            velocities = corner_velocities(mesh, state);
-    std::optional<ExactFilling<dim>> exact;
-    std::vector<std::uint8_t>        exact_only(mesh.n_cells, 0);
-    PaintedBodies<dim>               books(scene, bodies);
-    std::vector<Box<dim>>            boxes;
+    CornerVelocities<dim> velocities = corner_velocities(mesh, state);
+    PaintedBodies<dim>    books(scene, bodies);
+    std::vector<Box<dim>> boxes;
     for (const std::size_t b : bodies)
       boxes.push_back(extent(scene.bodies[b].shape));
-    if (std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) { return enters_exact(scene.bodies[b]); }))
-      exact.emplace(scene, mesh, state);
+    std::vector<SolutionFilling<dim>> fillings;
     agree(communicator, [&] {
+      fillings = solution_fillings(scene, bodies, mesh, state);
       for (Index c = 0; c < mesh.n_cells; ++c)
         for (std::size_t i = 0; i < bodies.size(); ++i)
           {
@@ -239,19 +263,22 @@ namespace whipple
               books.add(i, volume, rounded);
             if (volume <= 0)
               continue;
-            const bool             is_exact = enters_exact(body);
-            const CellFilling<dim> filling  = is_exact ? exact->fill(body, state, c) : uniform_filling(body);
-            const double           before   = cell_mass(state, c);
-            const double           pores    = sections::initial_void_fraction(scene.materials[body.material].model);
+            const auto             own     = std::find_if(fillings.begin(), fillings.end(),
+                                                          [&](const auto &f) { return f.solution == initial_solution(scene, body); });
+            const bool             uniform = own == fillings.end();
+            const CellFilling<dim> filling = uniform ? uniform_filling(body) : own->filling.fill(body, state, c);
+            const double           before  = cell_mass(state, c);
+            const double           pores   = sections::initial_void_fraction(scene.materials[body.material].model);
             const double           added =
                 paint_cell(filling, pores, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
             blend_velocity<dim>(filling, before, added, c, state, velocities);
-            exact_only[c] = is_exact && before == 0.;
+            for (SolutionFilling<dim> &f : fillings)
+              f.alone[c] = !uniform && &f == std::to_address(own) && before == 0.;
           }
     });
     books.check(communicator);
-    if (exact)
-      exact->add_hanging_energy(state, exact_only, velocities);
+    for (const SolutionFilling<dim> &f : fillings)
+      f.filling.add_hanging_energy(state, f.alone, velocities);
     for (const std::size_t b : bodies)
       if (scene.bodies[b].deposit)
         deposit_energy(scene.bodies[b], layout.body_material[b], mesh, communicator, state);

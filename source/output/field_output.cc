@@ -34,12 +34,12 @@ namespace whipple
 
   template <int dim>
   FieldOutput<dim>::FieldOutput(std::string directory, std::vector<std::string> material_names,
-                                FieldOutputOptions options, MPI_Comm communicator, DerivedFields<dim> derived)
+                                FieldOutputOptions options, MPI_Comm communicator, ExtraFields<dim> extra)
     : directory_(std::move(directory))
     , material_names_(std::move(material_names))
     , options_(options)
     , communicator_(communicator)
-    , derived_(std::move(derived))
+    , extra_(std::move(extra))
   {
     if (rank_in(communicator_) == 0)
       std::filesystem::create_directories(directory_ + "/fields");
@@ -48,11 +48,12 @@ namespace whipple
 
   template <int dim>
   void
-  FieldOutput<dim>::write(const FlatMesh<dim> &mesh, const State<dim> &state, std::string_view stage)
+  FieldOutput<dim>::write(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                          std::string_view stage)
   {
     const int           rank = rank_in(communicator_);
     const Snapshot<dim> snapshot =
-        take_snapshot(mesh, state, material_names_, derived_,
+        take_snapshot(mesh, state, derived, material_names_, extra_,
                       {.empty_cells = options_.empty_cells, .everything = false, .rank = rank});
     std::uint64_t n_cells = snapshot.n_cells();
     MPI_Allreduce(MPI_IN_PLACE, &n_cells, 1, MPI_UINT64_T, MPI_SUM, communicator_);
@@ -73,8 +74,8 @@ namespace whipple
   template <int dim>
   void
   write_last_good_state(const std::string &directory, const FlatMesh<dim> &mesh, const State<dim> &state,
-                        const std::vector<std::string> &material_names, std::string_view stage, std::string_view reason,
-                        MPI_Comm communicator)
+                        const Derived &derived, const std::vector<std::string> &material_names, std::string_view stage,
+                        std::string_view reason, MPI_Comm communicator)
   {
     const std::string folder = directory + "/last_good_state/";
     const int         rank   = rank_in(communicator);
@@ -87,9 +88,9 @@ namespace whipple
              << "\nrank-NNNNN.h5 holds what each rank owned at t = " << state.time
              << " us, the last state known to be good, in double precision;\nopen rank-NNNNN.xdmf to look at it.\n";
       }
-    const Snapshot<dim> snapshot =
-        take_snapshot<dim>(mesh, state, material_names, {}, {.empty_cells = true, .everything = true, .rank = rank});
-    const std::string name = numbered("rank-", rank);
+    const Snapshot<dim> snapshot = take_snapshot<dim>(mesh, state, derived, material_names, {},
+                                                      {.empty_cells = true, .everything = true, .rank = rank});
+    const std::string   name     = numbered("rank-", rank);
     if (snapshot.n_cells() == 0)
       return;
     const std::string grid = snapshot_hdf5::write(snapshot, folder + name + ".h5", name + ".h5", stage,
@@ -99,6 +100,6 @@ namespace whipple
 
   template class FieldOutput<2>;
   template void
-  write_last_good_state<2>(const std::string &, const FlatMesh<2> &, const State<2> &, const std::vector<std::string> &,
-                           std::string_view, std::string_view, MPI_Comm);
+  write_last_good_state<2>(const std::string &, const FlatMesh<2> &, const State<2> &, const Derived &,
+                           const std::vector<std::string> &, std::string_view, std::string_view, MPI_Comm);
 } // namespace whipple

@@ -62,20 +62,23 @@ namespace whipple
 
     template <int dim>
     void
-    add_cell_fields(Snapshot<dim> &snapshot, const FlatMesh<dim> &mesh, const State<dim> &state,
+    add_cell_fields(Snapshot<dim> &snapshot, const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                     const std::vector<Index> &cells, int rank)
     {
       const auto mean = [&state](auto &&extensive) {
         return [&state, extensive](Index c) {
           double sum = 0;
-          for (const MaterialState &material : state.material)
-            sum += extensive(material, c);
+          for (std::size_t m = 0; m < state.material.size(); ++m)
+            sum += extensive(m, c);
           return sum / state.volume[c];
         };
       };
-      const auto mass     = [](const MaterialState &m, Index c) { return m.mass[c]; };
-      const auto pressure = [](const MaterialState &m, Index c) { return m.volume[c] * m.pressure[c]; };
-      const auto solid    = [](const MaterialState &m, Index c) {
+      const auto mass     = [&](std::size_t m, Index c) { return state.material[m].mass[c]; };
+      const auto pressure = [&](std::size_t m, Index c) {
+        return state.material[m].volume[c] * derived.material[m].pressure[c];
+      };
+      const auto solid = [&](std::size_t i, Index c) {
+        const MaterialState &m = state.material[i];
         return m.volume[c] * (m.has_voids() ? 1. - m.void_fraction[c] : 1.);
       };
       snapshot.fields.push_back(cell_field("density", "g/cm^3", cells, mean(mass)));
@@ -88,7 +91,7 @@ namespace whipple
     template <int dim>
     void
     add_material_fields(Snapshot<dim> &snapshot, const State<dim> &state, const MaterialState &material,
-                        const std::string &name, const std::vector<Index> &cells)
+                        const std::vector<double> &pressure, const std::string &name, const std::vector<Index> &cells)
     {
       const auto add = [&](const std::string &what, const std::string &unit, const auto &value_of) {
         snapshot.fields.push_back(cell_field(name + ' ' + what, unit, cells, value_of));
@@ -100,7 +103,7 @@ namespace whipple
       add("true density", "g/cm^3", [&material](Index c) {
         return material.has_voids() ? material.density[c] / (1. - material.void_fraction[c]) : material.density[c];
       });
-      add("pressure", "Mbar", entry(material.pressure));
+      add("pressure", "Mbar", entry(pressure));
       add("energy", "Mbar cm^3/g", entry(material.energy));
       if (material.has_voids())
         add("void fraction", "1", entry(material.void_fraction));
@@ -130,18 +133,19 @@ namespace whipple
 
   template <int dim>
   Snapshot<dim>
-  take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<std::string> &material_names,
-                const DerivedFields<dim> &derived, const SnapshotOptions &options)
+  take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                const std::vector<std::string> &material_names, const ExtraFields<dim> &extra,
+                const SnapshotOptions &options)
   {
     Snapshot<dim> snapshot;
     snapshot.time                  = state.time;
     const std::vector<Index> cells = shown_cells(mesh, state, options.empty_cells);
     add_geometry(snapshot, mesh, state, cells);
-    add_cell_fields(snapshot, mesh, state, cells, options.rank);
+    add_cell_fields(snapshot, mesh, state, derived, cells, options.rank);
     for (std::size_t m = 0; m < state.material.size(); ++m)
-      add_material_fields(snapshot, state, state.material[m], material_names[m], cells);
-    if (derived)
-      for (CellField &field : derived(state, cells))
+      add_material_fields(snapshot, state, state.material[m], derived.material[m].pressure, material_names[m], cells);
+    if (extra)
+      for (CellField &field : extra(state, cells))
         snapshot.fields.push_back(std::move(field));
     if (options.everything)
       add_identity(snapshot, mesh, state, material_names, cells);
@@ -149,6 +153,6 @@ namespace whipple
   }
 
   template Snapshot<2>
-  take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const std::vector<std::string> &, const DerivedFields<2> &,
-                   const SnapshotOptions &);
+  take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::vector<std::string> &,
+                   const ExtraFields<2> &, const SnapshotOptions &);
 } // namespace whipple

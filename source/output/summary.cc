@@ -143,6 +143,7 @@ namespace whipple::summary
                                       {"scene", summary.scene},
                                       {"status", summary.status},
                                       {"reason", summary.reason ? json::Json(*summary.reason) : json::Json(nullptr)},
+                                      {"resumable", summary.resumable},
                                       {"stages", stages},
                                       {"ledger", json_of(summary.ledger)},
                                       {"results", json_of(summary.results)},

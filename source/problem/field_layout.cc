@@ -97,7 +97,7 @@ namespace whipple
     for (const Material &model : materials)
       {
         MaterialState m;
-        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy, &m.pressure, &m.sound_speed})
+        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy})
           array->assign(n_cells, 0.);
         m.carries_voids = model.void_law != nullptr;
         if (m.carries_voids)

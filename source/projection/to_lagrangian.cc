@@ -54,8 +54,6 @@ namespace whipple
           b.mass[to]             = a.mass[from];
           b.density[to]          = a.density[from];
           b.energy[to]           = a.energy[from];
-          b.pressure[to]         = a.pressure[from];
-          b.sound_speed[to]      = a.sound_speed[from];
           if (a.has_voids())
             b.void_fraction[to] = a.void_fraction[from];
           for (std::size_t f = 0; f < a.fields.size(); ++f)

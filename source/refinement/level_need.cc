@@ -25,6 +25,7 @@ namespace whipple
           const Box<dim> box = extent(body.shape);
           for (int d = 0; d < dim; ++d)
             thinnest = std::min(thinnest, box.upper[d] - box.lower[d]);
+          thinnest = std::min(thinnest, body.shape->least_thickness({}));
         }
       const double levels = std::floor(std::log2(thinnest / (least_cells * scene.lattice.spacing)));
       return static_cast<int>(std::clamp<double>(levels, 0, scene.mesh.quiet_levels));
@@ -68,7 +69,7 @@ namespace whipple
   LevelNeed<dim>::of_body(const Body<dim> &body) const
   {
     const int finest = scene_.lattice.max_level;
-    if (body.initial_state == InitialState::exact)
+    if (!body.is_uniform())
       return finest;
     for (const double component : body.velocity)
       if (std::abs(component) > scene_.mesh.quiet_velocity)
@@ -86,24 +87,26 @@ namespace whipple
   {
     const int level  = of_body(body);
     const int smooth = std::max(0, scene_.lattice.max_level - scene_.mesh.smooth_levels);
-    return body.initial_state == InitialState::exact ? level : std::min(level, smooth);
+    return !body.is_uniform() ? level : std::min(level, smooth);
   }
 
   template <int dim>
   bool
-  LevelNeed<dim>::is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell) const
+  LevelNeed<dim>::is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, Index cell) const
   {
     const double slow = scene_.mesh.quiet_velocity;
     for (int k = 0; k < FlatMesh<dim>::corners; ++k)
       for (int d = 0; d < dim; ++d)
         if (std::abs(state.velocity[d][mesh.cell_node[cell * FlatMesh<dim>::corners + k]]) > slow)
           return false;
-    for (const MaterialState &m : state.material)
+    for (std::size_t i = 0; i < state.material.size(); ++i)
       {
+        const MaterialState &m = state.material[i];
         if (m.mass[cell] == 0.)
           continue;
-        const double weak = m.density[cell] * m.sound_speed[cell] * slow;
-        bool         calm = std::abs(m.pressure[cell]) <= weak && !(m.has_voids() && m.void_fraction[cell] > 0);
+        const DerivedMaterial &from = derived.material[i];
+        const double           weak = m.density[cell] * from.sound_speed[cell] * slow;
+        bool calm = std::abs(from.pressure[cell]) <= weak && !(m.has_voids() && m.void_fraction[cell] > 0);
         for (const int s : {state.index.stress_00, state.index.stress_11, state.index.stress_01})
           calm = calm && (s < 0 || std::abs(m.fields[s].value[cell]) <= weak);
         if (!calm)
@@ -114,11 +117,12 @@ namespace whipple
 
   template <int dim>
   std::vector<int>
-  LevelNeed<dim>::of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator) const
+  LevelNeed<dim>::of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                           MPI_Comm communicator) const
   {
     const MeshControl        &control = scene_.mesh;
     const std::vector<double> change  = control.smooth_levels > 0
-                                            ? change_over_cells(mesh, state, scene_.boundaries, communicator)
+                                            ? change_over_cells(mesh, state, derived, scene_.boundaries, communicator)
                                             : std::vector<double>{};
     std::vector<int>          level(mesh.n_owned, -1);
     for (Index c = 0; c < mesh.n_owned; ++c)
@@ -126,7 +130,7 @@ namespace whipple
         const double solid = solid_fraction(state, c);
         if (solid == 0.)
           continue;
-        int spare = is_quiet(mesh, state, c) ? quiet_levels_ : 0;
+        int spare = is_quiet(mesh, state, derived, c) ? quiet_levels_ : 0;
         if (!change.empty())
           {
             // a cell twice as large sees twice the change

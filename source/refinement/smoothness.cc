@@ -15,7 +15,7 @@ namespace whipple
     {
       static constexpr int size = 2 + dim;
 
-      CellMeans(const FlatMesh<dim> &mesh, const State<dim> &state)
+      CellMeans(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived)
         : value(mesh.n_cells)
         , full(mesh.n_cells)
       {
@@ -25,11 +25,12 @@ namespace whipple
             double volume = 0;
             auto  &v      = value[c];
             v             = {};
-            for (const MaterialState &m : state.material)
+            for (std::size_t i = 0; i < state.material.size(); ++i)
               {
+                const MaterialState &m = state.material[i];
                 volume += m.volume[c];
                 v[0] += m.mass[c] / state.volume[c];
-                v[1] += m.volume[c] / state.volume[c] * m.pressure[c];
+                v[1] += m.volume[c] / state.volume[c] * derived.material[i].pressure[c];
               }
             full[c] = volume > (1. - round_off) * state.volume[c];
             for (int d = 0; d < dim; ++d)
@@ -46,10 +47,10 @@ namespace whipple
 
   template <int dim>
   std::vector<double>
-  change_over_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Boundaries<dim> &boundaries,
-                    MPI_Comm communicator)
+  change_over_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                    const Boundaries<dim> &boundaries, MPI_Comm communicator)
   {
-    const CellMeans<dim>  means(mesh, state);
+    const CellMeans<dim>  means(mesh, state, derived);
     std::array<double, 3> largest{}; // density, pressure, component of the momentum density
     for (Index c = 0; c < mesh.n_owned; ++c)
       for (int q = 0; q < CellMeans<dim>::size; ++q)
@@ -89,5 +90,5 @@ namespace whipple
   }
 
   template std::vector<double>
-  change_over_cells(const FlatMesh<2> &, const State<2> &, const Boundaries<2> &, MPI_Comm);
+  change_over_cells(const FlatMesh<2> &, const State<2> &, const Derived &, const Boundaries<2> &, MPI_Comm);
 } // namespace whipple

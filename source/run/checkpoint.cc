@@ -74,7 +74,8 @@ namespace whipple::checkpoint
     }
 
     void
-    write_contents(const fs::path &directory, const summary::Summary &summary, double time)
+    write_contents(const fs::path &directory, const summary::Summary &summary, double time,
+                   const checkpoint_file::Checksums &datasets)
     {
       const summary::Stage stage = summary.stages.empty() ? summary::Stage{} : summary.stages.back();
       Json                 table = {{"format", format},
@@ -87,6 +88,7 @@ namespace whipple::checkpoint
       for (const char *name : files)
         table["files"][name] = {{"bytes", fs::file_size(directory / name)},
                                 {"crc32", checksum::text(checksum::of_file((directory / name).string()))}};
+      table["datasets"]      = datasets; // of state.h5
       table["crc32"]         = sum_of(table);
       const std::string text = table.dump(2) + '\n';
       put(directory / contents, text.data(), text.size());
@@ -132,14 +134,15 @@ namespace whipple::checkpoint
 
     /// Write the state, and read it back: a full disk is not always told.
     template <int dim>
-    void
+    checkpoint_file::Checksums
     write_state(const std::string &path, const FieldLayout &layout, const LastGood<dim> &state, MPI_Comm communicator)
     {
       const auto      columns = row_columns<dim>(layout);
       const StateRows rows    = to_rows(layout, state.view()->mesh, state.state());
-      checkpoint_file::write(path, *state.mesh(), columns, rows, state.state().time, communicator);
+      const auto sums = checkpoint_file::write(path, *state.mesh(), columns, rows, state.state().time, communicator);
       checkpoint_file::read_mesh(path, communicator);
       checkpoint_file::read_rows(path, columns, rows.size(), communicator);
+      return sums;
     }
   } // namespace
 
@@ -156,16 +159,17 @@ namespace whipple::checkpoint
       const auto books = to_cbor(state.books());
       put(aside / "books.cbor", books.data(), books.size());
     });
+    checkpoint_file::Checksums datasets;
     try
       {
-        write_state((aside / "state.h5").string(), layout, state, communicator);
+        datasets = write_state((aside / "state.h5").string(), layout, state, communicator);
       }
     catch (const std::exception &error)
       {
         throw Unusable(directory + ": cannot be written: " + error.what());
       }
     on_first_rank<Unusable>(communicator, [&] {
-      write_contents(aside, state.books().summary, state.state().time);
+      write_contents(aside, state.books().summary, state.state().time, datasets);
       for (const char *name : files)
         flush_to_disk(aside / name);
       flush_to_disk(aside / contents);

@@ -34,8 +34,9 @@ namespace whipple::checkpoint_file
     }
 
     /// A table of `width` columns, every rank its rows, with the checksum of the whole.
+    /// @returns that checksum
     template <typename Number>
-    void
+    std::string
     write_table(const HDF5::Group &file, const std::string &name, const std::vector<Number> &values, std::size_t width,
                 MPI_Comm communicator)
     {
@@ -45,8 +46,10 @@ namespace whipple::checkpoint_file
         table.write_hyperslab(values, {part.first, 0}, {part.own, width});
       else
         table.template write_none<Number>();
-      table.set_attribute("crc32", checksum::text(checksum::of_all_ranks(std::as_bytes(std::span<const Number>(values)),
-                                                                         communicator)));
+      const std::string sum =
+          checksum::text(checksum::of_all_ranks(std::as_bytes(std::span<const Number>(values)), communicator));
+      table.set_attribute("crc32", sum);
+      return sum;
     }
 
     /// This rank's rows of such a table.
@@ -105,7 +108,7 @@ namespace whipple::checkpoint_file
     constexpr std::size_t words_of_leaf = 4;
   } // namespace
 
-  void
+  Checksums
   write(const std::string &path, const MeshImage &mesh, const std::vector<std::string> &columns, const StateRows &rows,
         double time, MPI_Comm communicator)
   {
@@ -119,8 +122,8 @@ namespace whipple::checkpoint_file
     file.set_attribute("columns", joined(columns));
     file.set_attribute("time [us]", time);
     file.set_attribute("halo width", mesh.halo_width);
-    write_table(file, "leaves", leaves, words_of_leaf, communicator);
-    write_table(file, "cells", rows.value, rows.columns, communicator);
+    const std::string leaves_sum = write_table(file, "leaves", leaves, words_of_leaf, communicator);
+    return {{"leaves", leaves_sum}, {"cells", write_table(file, "cells", rows.value, rows.columns, communicator)}};
   }
 
   MeshImage

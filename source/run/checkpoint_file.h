@@ -6,14 +6,18 @@
 
 #include <mpi.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
 /// The HDF5 file of a checkpoint: leaves, flags and rows as datasets, each with its checksum.
 namespace whipple::checkpoint_file
 {
+  /// Checksum of each dataset, by name: the same for every number of ranks, so that two states can be told apart by it.
+  using Checksums = std::map<std::string, std::string>;
+
   /// Collective; rows are those of each rank, the mesh is the same on all.
-  void
+  Checksums
   write(const std::string &path, const MeshImage &mesh, const std::vector<std::string> &columns, const StateRows &rows,
         double time, MPI_Comm communicator);
 

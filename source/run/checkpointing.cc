@@ -6,7 +6,8 @@ namespace whipple
   template <int dim>
   Checkpointing<dim>::Checkpointing(const Scene<dim> &scene, const FieldLayout &layout, const std::string &directory,
                                     double wall_start, const RunClock &clock, MPI_Comm communicator)
-    : store_(directory, layout, scene.effective_parameters, communicator)
+    : directory_(directory)
+    , store_(directory, layout, scene.effective_parameters, communicator)
     , interruption_(scene.output.checkpoint_interval, scene.output.wall_time_limit, wall_start, communicator)
     , clock_(clock)
   {
@@ -41,8 +42,7 @@ namespace whipple
     const std::string directory = write(last_good, reporter);
     if (wish.stop)
       throw Interrupted(wish.reason + (directory.empty() ? "; no checkpoint could be written"
-                                                         : "; the run goes on from " + directory +
-                                                               " with: whipple run --resume DIR"));
+                                                         : "; to go on: whipple run --resume '" + directory_ + "'"));
     reporter.log().info("checkpoint at " + std::to_string(last_good.state().time) + " us: " + directory);
   }
 

@@ -51,25 +51,35 @@ namespace whipple
 
   template <int dim>
   void
-  Cycle<dim>::refresh(State<dim> &state) const
+  Cycle<dim>::refresh(State<dim> &state, Derived &derived)
   {
     lagrange_.update_node_mass(state);
-    lagrange_.update_pressure(state);
+    evaluate(state, derived);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::evaluate(const State<dim> &state, Derived &derived)
+  {
+    lagrange_.evaluate(state, derived);
   }
 
   template <int dim>
   AgreedTimeStep
-  Cycle<dim>::time_step(const State<dim> &state, std::span<const Index> exempt) const
+  Cycle<dim>::time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt)
   {
-    TimeStepLimit limit = lagrange_.time_step(state, exempt);
+    const MPI_Comm communicator = halo_.communicator();
+    TimeStepLimit  limit        = lagrange_.time_step(state, derived, exempt);
     if (remap_)
       if (const AdvectionLimit own = remap_->time_step(state); own.dt < limit.dt)
         limit = {own.dt, "advection", own.cell};
-    for (const auto &pass : passes_)
-      if (const TimeStepLimit own = pass->time_step(state); own.dt < limit.dt)
-        limit = own;
+    if (!passes_.empty())
+      agree(communicator, [&] {
+        for (const auto &pass : passes_)
+          if (const TimeStepLimit own = pass->time_step(state); own.dt < limit.dt)
+            limit = own;
+      });
 
-    const MPI_Comm communicator = halo_.communicator();
     struct
     {
       double dt;
@@ -97,9 +107,9 @@ namespace whipple
 
   template <int dim>
   std::vector<Index>
-  Cycle<dim>::slivers(const State<dim> &state, double bound) const
+  Cycle<dim>::slivers(const State<dim> &state, const Derived &derived, double bound) const
   {
-    return lagrange_.slivers(state, bound);
+    return lagrange_.slivers(state, derived, bound);
   }
 
   template <int dim>
@@ -107,9 +117,6 @@ namespace whipple
   Cycle<dim>::exchange(State<dim> &state) const
   {
     std::vector<std::vector<double> *> cells = layout_.cell_arrays(state), nodes{&state.node_mass};
-    for (MaterialState &m : state.material)
-      for (auto *array : {&m.pressure, &m.sound_speed})
-        cells.push_back(array);
     for (int d = 0; d < dim; ++d)
       {
         nodes.push_back(&state.position[d]);
@@ -120,18 +127,41 @@ namespace whipple
 
   template <int dim>
   void
-  Cycle<dim>::advance(State<dim> &state, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
-                      Ledger<dim> &ledger)
+  Cycle<dim>::exchange_pressures(Derived &derived) const
+  {
+    std::vector<std::vector<double> *> cells;
+    for (DerivedMaterial &m : derived.material)
+      for (auto *array : {&m.pressure, &m.sound_speed})
+        cells.push_back(array);
+    halo_.exchange(cells, {});
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::run_passes(State<dim> &state, Derived &derived, double dt)
+  {
+    if (passes_.empty())
+      return;
+    lagrange_.evaluate_pressure(state, derived);
+    for (const auto &pass : passes_)
+      {
+        pass->advance(state, derived, lagrange_.before(), dt);
+        if (pass->changes_energy())
+          lagrange_.evaluate_pressure(state, derived);
+      }
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::advance(State<dim> &state, Derived &derived, double dt, int sweep_first,
+                      std::span<const RigidFragment<dim>> rigid, Ledger<dim> &ledger)
   {
     const MPI_Comm      communicator = halo_.communicator();
     LagrangeReport<dim> motion;
-    agree(communicator, [&] { motion = lagrange_.advance(state, dt, rigid); });
-    for (const auto &pass : passes_)
-      {
-        pass->advance(state, lagrange_.before(), dt);
-        if (pass->changes_energy())
-          lagrange_.update_pressure(state);
-      }
+    agree(communicator, [&] {
+      motion = lagrange_.advance(state, derived, dt, rigid);
+      run_passes(state, derived, dt);
+    });
     exchange(state);
     RemapReport<dim> remap;
     if (remap_)
@@ -143,8 +173,12 @@ namespace whipple
             exchange(state);
           }
         agree(communicator, [&] { remap_->finish(state); });
-        lagrange_.update_pressure(state);
       }
+    if (remap_ || passes_.empty())
+      lagrange_.evaluate_pressure(state, derived);
+    else
+      exchange_pressures(derived);
+    lagrange_.evaluate_strength(state, derived);
     book(motion, remap, ledger);
   }
 

@@ -144,7 +144,8 @@ namespace whipple
       lay_down(stage, 0., domain, ledger);
     else if (!stage.introduces.empty())
       {
-        ledger.gathered("regrid", regridding_.regrid(domain, KineticLoss::heat, stage.introduces), KineticLoss::heat);
+        const KineticLoss loss = stage.lost_kinetic_energy;
+        ledger.gathered("regrid", regridding_.regrid(domain, loss, stage.introduces), loss);
         paint(stage, domain, ledger);
       }
     if (stage.mode == StageMode::lagrangian)

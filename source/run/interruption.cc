@@ -13,7 +13,7 @@ namespace whipple
     volatile sig_atomic_t stop_signal       = 0;
     volatile sig_atomic_t checkpoint_signal = 0;
 
-    constexpr std::array signals{SIGTERM, SIGINT, SIGUSR1};
+    constexpr std::array signals{SIGTERM, SIGINT, SIGUSR2, SIGUSR1};
 
     void
     remember(int signal)
@@ -90,7 +90,9 @@ namespace whipple
     wish.stop       = wishes[signal] || wishes[late];
     wish.checkpoint = wish.stop || wishes[asked] || wishes[due];
     if (wishes[signal])
-      wish.reason = std::string("signal ") + std::to_string(wishes[signal]) + " (" + strsignal(wishes[signal]) + ')';
+      wish.reason = wishes[signal] == SIGUSR2
+                        ? "asked to stop" // by the launcher of the ranks
+                        : "signal " + std::to_string(wishes[signal]) + " (" + strsignal(wishes[signal]) + ')';
     else if (wishes[late])
       wish.reason = "the wall time limit of " + duration(*time_limit_) + " is reached";
     return wish;

@@ -67,7 +67,7 @@ namespace whipple
   Regridding<dim>::request_cells(const Domain<dim> &domain, int buffer, RefinementMap<dim> &map) const
   {
     const FlatMesh<dim>   &mesh   = domain.view->mesh;
-    const std::vector<int> levels = need_.of_cells(mesh, domain.state, domain.communicator());
+    const std::vector<int> levels = need_.of_cells(mesh, domain.state, domain.derived, domain.communicator());
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
         if (levels[c] < 0)

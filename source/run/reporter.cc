@@ -85,7 +85,7 @@ namespace whipple
   {
     if (!scene_.output.fields_interval)
       return;
-    fields_.write(run.domain.view->mesh, run.domain.state, stage.name);
+    fields_.write(run.domain.view->mesh, run.domain.state, run.domain.derived, stage.name);
     run.books.report.fields = fields_.series();
   }
 
@@ -238,8 +238,8 @@ namespace whipple
     const Domain<dim> &domain = run.domain;
     warn_of_events(stage, run.books);
     log_.warning(reason);
-    write_last_good_state(directory_, domain.view->mesh, domain.state, layout_.material_names, stage.name, reason,
-                          domain.communicator());
+    write_last_good_state(directory_, domain.view->mesh, domain.state, domain.derived, layout_.material_names,
+                          stage.name, reason, domain.communicator());
     log_.info(format("the last good state, at %.6f us, is in the output directory", domain.state.time));
   }
 

@@ -4,6 +4,7 @@
 #include <whipple/run/resume.h>
 #include <whipple/scene/prm_statements.h>
 
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -89,6 +90,9 @@ namespace whipple
       throw InputError(place.directory + ": no checkpoint to go on from: " + found.refused.front());
     if (!found.header)
       {
+        // an interrupted run has one; before its first a run leaves no summary
+        if (std::filesystem::exists(place.directory + "/summary.json"))
+          throw InputError(place.directory + ": has no checkpoint, and its run is over");
         write_parameters(scene, place.directory, communicator);
         auto simulation = std::make_unique<Simulation<dim>>(scene, place, communicator);
         simulation->log().info("there was no checkpoint yet: the run begins anew");

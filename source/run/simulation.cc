@@ -2,6 +2,7 @@
 #include <whipple/diagnostics/exact_errors.h>
 #include <whipple/diagnostics/result_table.h>
 #include <whipple/diagnostics/shock_measure.h>
+#include <whipple/hydro/lagrange_step.h>
 #include <whipple/run/simulation.h>
 #include <whipple/run/stage_loop.h>
 
@@ -63,6 +64,16 @@ namespace whipple
       extra["hourglass_work"]          = converted("hourglass work");
       return result;
     }
+
+    /// What follows from a state that has been read or gone back to, before a stage has a cycle for it.
+    template <int dim>
+    void
+    evaluate(const Scene<dim> &scene, const FieldLayout &layout, Domain<dim> &domain)
+    {
+      if (domain.view)
+        LagrangeStep<dim>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
+            .evaluate(domain.state, domain.derived);
+    }
   } // namespace
 
   template <int dim>
@@ -98,6 +109,7 @@ namespace whipple
     : Simulation(scene, place, &books, communicator)
   {
     checkpoint::read_fields(checkpoint, layout_, state_);
+    evaluate(scene_, layout_, state_.domain);
     last_good_.keep(state_);
     reporter_.log().info("going on at " + std::to_string(state_.domain.state.time) + " us from " + checkpoint);
   }
@@ -191,6 +203,7 @@ namespace whipple
         last_good_.restore(layout_, state_);
         if (number == 0)
           domain.view.reset(); // there is no state of before
+        evaluate(scene_, layout_, domain);
         throw;
       }
     if (stage.mode == StageMode::lagrangian)
@@ -229,9 +242,9 @@ namespace whipple
   void
   Simulation<dim>::measure_errors()
   {
-    const FlatMesh<dim> &mesh = state_.domain.view->mesh;
-    state_.books.summary.errors =
-        exact_errors<dim>(*scene_.exact, mesh, state_.domain.state, state_.domain.communicator());
+    const FlatMesh<dim> &mesh   = state_.domain.view->mesh;
+    state_.books.summary.errors = exact_errors<dim>(*scene_.exact, mesh, state_.domain.state, state_.domain.derived,
+                                                    state_.domain.communicator());
     if (const auto shock = measure_shock<dim>(scene_, mesh, state_.domain.state, state_.domain.communicator()))
       state_.books.summary.results[exact_place] = shock_results(*shock);
   }
@@ -280,6 +293,7 @@ namespace whipple
     if (dynamic_cast<const Interrupted *>(&error))
       {
         last_good_.restore(layout_, state_); // what the checkpoint holds
+        state_.books.summary.resumable = true;
         reporter_.log().info(error.what());
       }
     else if (state_.domain.view)

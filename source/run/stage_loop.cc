@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/diagnostics/debris_measure.h>
 #include <whipple/mesh/collective.h>
+#include <whipple/run/run_view.h>
 #include <whipple/run/stage_loop.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ namespace whipple
     const Domain<dim>   &domain = run_.domain;
     const FlatMesh<dim> &mesh   = domain.view->mesh;
     cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    cycle_->refresh(run_.domain.state);
+    cycle_->evaluate(run_.domain.state, run_.domain.derived);
     guard_ = Regridding<dim>::guard_cells(mesh);
     cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
     find_locked();
@@ -75,6 +75,7 @@ namespace whipple
   StageLoop<dim>::new_mesh()
   {
     use_mesh();
+    cycle_->refresh(run_.domain.state, run_.domain.derived);
     run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
     run_.books.progress.since_regrid       = 0;
     run_.books.progress.spare_after_regrid = -1;
@@ -130,30 +131,20 @@ namespace whipple
   double
   StageLoop<dim>::time_left()
   {
-    const Domain<dim> &domain = run_.domain;
-    summary::Stage    &record = run_.record();
-    if (stage_.end.kind != StageEnd::Kind::leading_edge)
-      {
-        const double left = run_.books.progress.end_time - domain.state.time;
-        return left > 1e-9 * record.end_us ? left : 0.;
-      }
+    const StageEnd::Left left =
+        stage_.end->time_left(RunView<dim>(scene_, layout_, run_), run_.books.progress.memory_of_end);
+    run_.record().end_us = left.end;
+    return left.time;
+  }
 
-    // time until the fastest corner could bridge the gap; a hundredth of a cell short of the plate is there
-    const double front    = extent(scene_.bodies[stage_.end.body].shape).lower[1];
-    const double foremost = foremost_point(domain.view->mesh, domain.state, domain.communicator());
-    const double gap      = front - foremost;
-    double       fastest  = 0;
-    for (Index n = 0; n < domain.state.n_nodes(); ++n)
-      if (domain.state.node_mass[n] > 0)
-        fastest = std::max(fastest, domain.state.velocity[1][n]);
-    fastest = max_over_ranks(fastest, domain.communicator());
-    if (gap <= 0.01 * scene_.lattice.spacing)
-      return 0.;
-    if (fastest <= 0)
-      throw StateError("stage '" + stage_.name + "' waits for a leading edge, but nothing moves towards body '" +
-                       scene_.bodies[stage_.end.body].name + "', " + std::to_string(gap) + " cm away");
-    record.end_us = domain.state.time + gap / fastest;
-    return std::max(gap, 0.1 * scene_.lattice.spacing) / fastest;
+  template <int dim>
+  void
+  StageLoop<dim>::find_limit()
+  {
+    limit_ = cycle_->time_step(run_.domain.state, run_.domain.derived, locked_);
+    if (!(limit_.dt > 0))
+      throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
+                       limit_.reason + ")");
   }
 
   template <int dim>
@@ -161,12 +152,8 @@ namespace whipple
   StageLoop<dim>::choose_time_step(double left)
   {
     StageProgress &progress = run_.books.progress;
-    limit_                  = cycle_->time_step(run_.domain.state, locked_);
-    if (!(limit_.dt > 0))
-      throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
-                       limit_.reason + ")");
-    double     dt    = limit_.dt;
-    const auto lower = [&](double bound, const char *reason) {
+    double         dt       = limit_.dt;
+    const auto     lower    = [&](double bound, const char *reason) {
       if (bound < dt)
         {
           dt            = bound;
@@ -192,25 +179,31 @@ namespace whipple
   {
     Domain<dim> &domain = run_.domain;
     Ledger<dim> &ledger = run_.books.ledger;
-    const double before = run_.books.progress.last_time_step;
-    double       dt     = choose_time_step(left);
-    if (stage_.mode == StageMode::lagrangian && lock_slivers())
-      {
-        run_.books.progress.last_time_step = before;
-        dt                                 = choose_time_step(left);
-      }
+    find_limit();
     std::vector<RigidFragment<dim>> rigid;
     if (stage_.mode == StageMode::lagrangian)
       {
-        free_folding();
-        rigid = release();
+        if (lock_slivers())
+          find_limit();
+        const bool freed = free_folding(), released = release(rigid);
+        if (released)
+          cycle_->evaluate(domain.state, domain.derived); // heated: other pressures and strengths
+        if (freed || released)
+          {
+            // no longer than what folding was looked for in, no longer than what the heated pieces allow
+            const AgreedTimeStep before = limit_;
+            find_limit();
+            if (before.dt < limit_.dt)
+              limit_ = before;
+          }
       }
+    const double    dt       = choose_time_step(left);
     const Numerics &numerics = scene_.numerics;
     if (numerics.inject_failure_at_step == run_.record().steps + 1 &&
         run_.books.progress.retries < numerics.injected_failures)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
-    cycle_->advance(domain.state, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
+    cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
     if (stage_.mode == StageMode::lagrangian && holds_pieces())
       refuse_folded();
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
@@ -256,7 +249,7 @@ namespace whipple
     if (new_view || !cycle_ || cycle_->mesh() != &run_.domain.view->mesh)
       use_mesh();
     else
-      cycle_->refresh(run_.domain.state);
+      cycle_->evaluate(run_.domain.state, run_.domain.derived);
     progress.ceiling      = retry_factor * tried_dt_;
     progress.failed_until = until;
     progress.retries      = failed.retries;
@@ -329,12 +322,10 @@ namespace whipple
     StageProgress &progress = run_.books.progress;
     progress                = StageProgress{};
     progress.begun          = true;
-    progress.end_time       = stage_.end.time + (stage_.end.kind == StageEnd::Kind::after ? now : 0.);
     summary::Stage &record  = run_.books.summary.stages.emplace_back();
     record.name             = stage_.name;
     record.mode             = eulerian ? "eulerian" : "lagrangian";
     record.start_us         = now;
-    record.end_us           = progress.end_time;
     new_mesh();
     if (eulerian)
       record.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);

@@ -71,8 +71,8 @@ namespace whipple
   }
 
   template <int dim>
-  std::vector<RigidFragment<dim>>
-  StageLoop<dim>::release()
+  bool
+  StageLoop<dim>::release(std::vector<RigidFragment<dim>> &rigid)
   {
     Domain<dim>       &domain = run_.domain;
     ReleaseReport<dim> report =
@@ -80,35 +80,38 @@ namespace whipple
     const GatherReport<dim> all =
         sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
     run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
-    run_.books.summary.counts.releases += static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
-    return std::move(report.rigid);
+    const long released = static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
+    run_.books.summary.counts.releases += released;
+    rigid = std::move(report.rigid);
+    return released > 0;
   }
 
   template <int dim>
-  void
+  bool
   StageLoop<dim>::free_folding()
   {
     Domain<dim>   &domain       = run_.domain;
     const MPI_Comm communicator = domain.communicator();
     if (stage_.cohesion == Cohesion::fragments || !holds_pieces())
-      return;
+      return false;
     std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
     cells.insert(cells.end(), locked_.begin(), locked_.end());
     if (max_over_ranks(static_cast<double>(cells.size()), communicator) == 0)
-      return;
+      return false;
     double mass = 0;
     for (const Index c : cells)
       mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
     const KineticLoss      loss   = stage_.lost_kinetic_energy;
     const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
     if (report.broken == 0)
-      return;
+      return false;
     run_.books.summary.counts.breaks += report.broken;
     run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
                            sum_over_ranks(mass, communicator), "g");
     run_.books.ledger.gathered("broken bonds", report.gathered, loss);
     new_mesh();
     check("freeing of elements");
+    return true;
   }
 
   template <int dim>
@@ -136,7 +139,7 @@ namespace whipple
     const double bound = sliver_share * run_.books.progress.history.typical();
     if (!(limit_.dt < bound) || !holds_pieces())
       return false;
-    return lock(cycle_->slivers(run_.domain.state, bound)) > 0;
+    return lock(cycle_->slivers(run_.domain.state, run_.domain.derived, bound)) > 0;
   }
 
   template <int dim>
@@ -198,7 +201,7 @@ namespace whipple
         ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
                     report.gathered.kinetic_loss, "Mbar cm^3");
         ledger.gathered("contact", report.gathered, loss);
-        cycle_->refresh(domain.state);
+        cycle_->refresh(domain.state, domain.derived);
       }
     bool anew = false;
     if (overlap_is_deep(report))
@@ -227,9 +230,9 @@ namespace whipple
   StageLoop<2>::find_locked();
   template bool
   StageLoop<2>::bonds_break();
-  template std::vector<RigidFragment<2>>
-  StageLoop<2>::release();
-  template void
+  template bool
+  StageLoop<2>::release(std::vector<RigidFragment<2>> &);
+  template bool
   StageLoop<2>::free_folding();
   template bool
   StageLoop<2>::lock_slivers();

@@ -10,9 +10,9 @@ namespace whipple
 {
   namespace
   {
-    /// Carried numbers of a corner beside the two vectors of its node.
+    /// Numbers of a corner: position, velocity and mass of its node, its share of the cell's mass.
     template <int dim>
-    constexpr int corner_columns = 2 * dim + 1;
+    constexpr int corner_columns = 2 * dim + 2;
 
     template <int dim>
     std::size_t
@@ -55,6 +55,7 @@ namespace whipple
           names.push_back("position " + std::to_string(d) + corner);
         for (int d = 0; d < dim; ++d)
           names.push_back("velocity " + std::to_string(d) + corner);
+        names.push_back("mass of the node" + corner);
         names.push_back("share of the mass" + corner);
       }
     return names;
@@ -79,6 +80,7 @@ namespace whipple
               rows.value.push_back(state.position[d][node]);
             for (int d = 0; d < dim; ++d)
               rows.value.push_back(state.velocity[d][node]);
+            rows.value.push_back(state.node_mass[node]);
             rows.value.push_back(state.corner_weight[corner]);
           }
       }
@@ -108,10 +110,11 @@ namespace whipple
               state.position[d][node] = *value++;
             for (int d = 0; d < dim; ++d)
               state.velocity[d][node] = *value++;
+            state.node_mass[node]       = *value++;
             state.corner_weight[corner] = *value++;
           }
       }
-    std::vector<std::vector<double> *> nodes;
+    std::vector<std::vector<double> *> nodes{&state.node_mass};
     for (int d = 0; d < dim; ++d)
       {
         nodes.push_back(&state.position[d]);

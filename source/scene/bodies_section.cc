@@ -1,71 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/scene/expression_section.h>
 #include <whipple/scene/material_effects.h>
 #include <whipple/scene/plausible.h>
 #include <whipple/scene/sections.h>
+#include <whipple/scene/shape_section.h>
 
 namespace whipple::sections
 {
   namespace
   {
     const std::string path = "Bodies";
-
-    /// Keys that belong to one shape only, the one that holds its position first.
-    struct ShapeKeys
-    {
-      std::string              shape;
-      std::vector<std::string> keys;
-    };
-    const std::vector<ShapeKeys> shape_keys{{"sphere", {"Center", "Diameter"}},
-                                            {"plate", {"Front face", "Thickness", "Half width"}},
-                                            {"box", {"Lower corner", "Upper corner"}}};
-
-    template <int dim>
-    Shape<dim>
-    read_sphere(const SceneSection &section)
-    {
-      return Sphere<dim>{section.vector<dim>("Center", units::length), section.positive("Diameter", units::length)};
-    }
-
-    template <int dim>
-    Shape<dim>
-    read_plate(const SceneSection &section)
-    {
-      Plate<dim> plate;
-      plate.front     = section.quantity("Front face", units::length);
-      plate.thickness = section.positive("Thickness", units::length);
-      if (section.given("Half width"))
-        plate.half_width = section.positive("Half width", units::length);
-      return plate;
-    }
-
-    template <int dim>
-    Shape<dim>
-    read_box(const SceneSection &section)
-    {
-      const Box<dim> box{section.vector<dim>("Lower corner", units::length),
-                         section.vector<dim>("Upper corner", units::length)};
-      for (int d = 0; d < dim; ++d)
-        if (!(box.upper[d] > box.lower[d]))
-          section.reject("Upper corner",
-                         "must lie above the lower corner '" + section.text("Lower corner") + "' along every axis");
-      return box;
-    }
-
-    template <int dim>
-    Shape<dim>
-    read_shape(const SceneSection &section)
-    {
-      using Reader      = Shape<dim> (*)(const SceneSection &);
-      const auto reader = section.choice<Reader>(
-          "Shape", {{"sphere", &read_sphere<dim>}, {"plate", &read_plate<dim>}, {"box", &read_box<dim>}});
-      for (const ShapeKeys &other : shape_keys)
-        if (other.shape != section.text("Shape"))
-          for (const std::string &key : other.keys)
-            if (section.given(key))
-              section.reject(key, "belongs to the shape " + other.shape + ", not to a " + section.text("Shape"));
-      return reader(section);
-    }
 
     /// Specific energy of the pressure that the body asks for; density and pressure are those of the solid times its
     /// share of the volume.
@@ -91,9 +36,11 @@ namespace whipple::sections
     {
       const EquationOfState &eos         = *material.eos;
       const double           solid_share = 1. - initial_void_fraction(material);
-      if (!section.given("Density"))
+      const auto has_expression          = [&](const std::string &key) { return section.given(key + " expression"); };
+      if (!section.given("Density") && !has_expression("Density"))
         section.replace("Density", units::format(solid_share * eos.reference_density(), units::density));
-      body.density = section.positive("Density", units::density);
+      body.density = section.given("Density") ? section.positive("Density", units::density)
+                                              : solid_share * eos.reference_density();
 
       if (section.given("Pressure") && section.given("Specific energy"))
         section.reject("Pressure", "allowed is a pressure or a specific energy, not both");
@@ -102,9 +49,9 @@ namespace whipple::sections
           body.energy = energy_of_pressure(section, eos, body.density, solid_share);
           return;
         }
-      if (!section.given("Specific energy"))
+      if (!section.given("Specific energy") && !has_expression("Specific energy"))
         section.replace("Specific energy", units::format(0, units::specific_energy));
-      body.energy = section.quantity("Specific energy", units::specific_energy);
+      body.energy = section.given("Specific energy") ? section.quantity("Specific energy", units::specific_energy) : 0.;
     }
 
     /// Entries that the exact solution says instead.
@@ -115,6 +62,8 @@ namespace whipple::sections
       for (const char *key : {"Density", "Pressure", "Specific energy", "Deposited energy"})
         if (section.given(key))
           section.reject(key, "the initial state is exact: the exact solution gives it; allowed is nothing");
+      for (const std::string &key : given_expressions(section))
+        section.reject(key, "the initial state is exact: the exact solution gives it; allowed is nothing");
       if (body.velocity != Vector<dim>{})
         section.reject("Velocity", "the initial state is exact: the exact solution gives it; allowed is nothing");
     }
@@ -130,7 +79,7 @@ namespace whipple::sections
 
       Body<dim> body;
       body.name          = name;
-      body.shape         = read_shape<dim>(section);
+      body.shape         = read_shape<dim>(section, scene);
       body.velocity      = section.vector<dim>("Velocity", units::velocity);
       body.material      = section.name_index("Material", section.text("Material"), materials);
       body.initial_state = section.choice<InitialState>(
@@ -141,7 +90,9 @@ namespace whipple::sections
           body.density = scene.materials[body.material].model.eos->reference_density();
           return body;
         }
+      reject_doubles<dim>(section, body);
       read_state(section, scene.materials[body.material].model, body);
+      read_expressions(section, scene, body);
       if (section.given("Deposited energy"))
         body.deposit = EnergyDeposit<dim>{section.positive("Deposited energy", units::energy),
                                           section.vector<dim>("Deposit point", units::length)};
@@ -158,14 +109,7 @@ namespace whipple::sections
     for (const std::string &name : names)
       {
         SceneSection section(parameters, path + "/" + name);
-        section.declare("Shape", "", "sphere (planar: cylinder) | plate (normal to axis 1) | box");
-        section.declare("Center", "", "sphere");
-        section.declare("Diameter", "", "sphere");
-        section.declare("Front face", "", "plate: its lower face along axis 1");
-        section.declare("Thickness", "", "plate");
-        section.declare("Half width", "", "plate: |x| or r up to which it reaches; not given: the whole domain");
-        section.declare("Lower corner", "", "box");
-        section.declare("Upper corner", "", "box");
+        declare_shape(section);
         section.declare("Initial state", "uniform",
                         "uniform | exact: density, energy and velocity of the scene's exact solution");
         section.declare("Velocity", "0 cm/us, 0 cm/us", "along axis 0 and axis 1");
@@ -173,6 +117,7 @@ namespace whipple::sections
         section.declare("Density", "", "not given: the material's at zero pressure and energy");
         section.declare("Pressure", "", "instead of a specific energy");
         section.declare("Specific energy", "", "not given, and no pressure given: zero");
+        declare_expressions(section);
         section.declare("Deposited energy", "", "put into the one cell that holds the deposit point");
         section.declare("Deposit point", "", "inside the body");
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/scene/sections.h>
+#include <whipple/scene/shape_section.h>
 
 #include <cmath>
 #include <sstream>
@@ -10,35 +11,6 @@ namespace whipple::sections
   {
     /// Distance by which a body may reach outside the domain and still count as inside, relative to the domain.
     constexpr double touching = 1e-12;
-
-    /// The key that says where a body is.
-    template <int dim>
-    std::string
-    position_key(const Shape<dim> &shape)
-    {
-      if (std::holds_alternative<Sphere<dim>>(shape))
-        return "Center";
-      return std::holds_alternative<Plate<dim>>(shape) ? "Front face" : "Lower corner";
-    }
-
-    /// The key that says how large a body is.
-    template <int dim>
-    std::string
-    size_key(const Shape<dim> &shape)
-    {
-      if (std::holds_alternative<Sphere<dim>>(shape))
-        return "Diameter";
-      return std::holds_alternative<Plate<dim>>(shape) ? "Thickness" : "Upper corner";
-    }
-
-    /// Whether the part of the body below axis 0 = 0 is the mirror image of the part above.
-    template <int dim>
-    bool
-    symmetric_about_axis(const Shape<dim> &shape)
-    {
-      const Box<dim> box = extent(shape);
-      return box.lower[0] == -box.upper[0];
-    }
 
     /// "0 cm to 4.096 cm", rounded for reading.
     template <int dim>
@@ -57,16 +29,16 @@ namespace whipple::sections
       Box<dim>          box   = extent(body.shape);
       const Vector<dim> lower = scene.lattice.origin, upper = scene.upper_corner();
       const bool        mirror = lower[0] == 0 && scene.boundaries[0].kind == BoundaryKind::reflecting;
-      if (mirror && symmetric_about_axis(body.shape))
+      if (mirror && body.shape->is_mirrored())
         box.lower[0] = 0;
       for (int d = 0; d < dim; ++d)
         {
           const double slack = touching * (upper[d] - lower[d]);
           if ((std::isfinite(box.lower[d]) && box.lower[d] < lower[d] - slack) ||
               (std::isfinite(box.upper[d]) && box.upper[d] > upper[d] + slack))
-            section.reject(position_key(body.shape), "the body reaches over " + range(box, d) + " along axis " +
-                                                         std::to_string(d) + "; allowed is the domain, " +
-                                                         range(Box<dim>{lower, upper}, d));
+            section.reject(shape_description(section).position_key,
+                           "the body reaches over " + range(box, d) + " along axis " + std::to_string(d) +
+                               "; allowed is the domain, " + range(Box<dim>{lower, upper}, d));
         }
     }
 
@@ -84,18 +56,22 @@ namespace whipple::sections
             text << "the body is " << box.upper[d] - box.lower[d] << " cm thick along axis " << d
                  << " and the finest cell " << scene.lattice.spacing << " cm; allowed is a body of at least "
                  << smallest << " cells";
-            section.reject(size_key(body.shape), text.str());
+            section.reject(shape_description(section).size_key, text.str());
           }
+      if (const double thin = body.shape->least_thickness({}); !(thin >= smallest * scene.lattice.spacing))
+        {
+          std::ostringstream text;
+          text << "the body is " << thin << " cm thin and the finest cell " << scene.lattice.spacing
+               << " cm; allowed is a body of at least " << smallest << " cells";
+          section.reject(shape_description(section).size_key, text.str());
+        }
     }
 
     template <int dim>
     void
     check_axisymmetric(const SceneSection &section, const Body<dim> &body)
     {
-      const auto *sphere = std::get_if<Sphere<dim>>(&body.shape);
-      if (sphere && sphere->center[0] != 0)
-        section.reject("Center", "in axisymmetry a sphere sits on the axis; its first component must be 0 cm");
-      if (body.velocity[0] != 0 && extent(body.shape).lower[0] <= 0)
+      if (body.is_uniform() && body.velocity[0] != 0 && extent(body.shape).lower[0] <= 0)
         section.reject("Velocity", "in axisymmetry a body on the axis moves along it; the first component must be 0");
     }
 
@@ -103,10 +79,8 @@ namespace whipple::sections
     void
     check_deposit(const SceneSection &section, const Body<dim> &body)
     {
-      const Box<dim> box = extent(body.shape);
-      for (int d = 0; d < dim; ++d)
-        if (body.deposit->point[d] < box.lower[d] || body.deposit->point[d] > box.upper[d])
-          section.reject("Deposit point", "must lie in the body");
+      if (!body.shape->contains(body.deposit->point))
+        section.reject("Deposit point", "must lie in the body");
     }
   } // namespace
 
@@ -126,7 +100,7 @@ namespace whipple::sections
           check_deposit(section, body);
         for (std::size_t other = 0; other < b; ++other)
           if (overlap(body.shape, scene.bodies[other].shape))
-            section.reject(position_key(body.shape),
+            section.reject(shape_description(section).position_key,
                            "overlaps the body '" + scene.bodies[other].name + "'; bodies may touch but not overlap");
       }
   }

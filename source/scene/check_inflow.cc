@@ -61,8 +61,7 @@ namespace whipple::sections
       for (const Body<dim> &body : scene.bodies)
         {
           const Boundary<dim> &boundary = scene.boundaries[side];
-          if (boundary.kind != BoundaryKind::inflow || body.initial_state == InitialState::exact ||
-              !touches(scene, body, side))
+          if (boundary.kind != BoundaryKind::inflow || !body.is_uniform() || !touches(scene, body, side))
             continue;
           const int    axis    = side / 2;
           const double inwards = (side % 2 == 0 ? 1. : -1.) * boundary.velocity[axis];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/box_shape.h>
 #include <whipple/scene/void_law_check.h>
 #include <whipple/state/round_off_share.h>
 
@@ -17,7 +18,7 @@ namespace whipple::sections
     bool
     lies_on_mesh_lines(const Scene<dim> &scene, const Body<dim> &body)
     {
-      if (std::holds_alternative<Sphere<dim>>(body.shape))
+      if (!body.shape->is_box())
         return false;
       const Box<dim>    box   = extent(body.shape);
       const Vector<dim> upper = scene.upper_corner();
@@ -47,7 +48,7 @@ namespace whipple::sections
           filled += body_volume<dim>(symmetry, body.shape, lower, upper);
           stays = stays && body.velocity == Vector<dim>{} && !body.deposit && lies_on_mesh_lines(scene, body);
         }
-      return stays || filled >= (1. - free_part) * body_volume<dim>(symmetry, Box<dim>{lower, upper}, lower, upper);
+      return stays || filled >= (1. - free_part) * box_volume(symmetry, lower, upper);
     }
   } // namespace
 

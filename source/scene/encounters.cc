@@ -226,12 +226,9 @@ namespace whipple
     for (const Stage &stage : scene.stages)
       {
         const double start = time;
-        if (stage.end.kind == StageEnd::Kind::at_time)
-          time = std::max(time, stage.end.time);
-        else if (stage.end.kind == StageEnd::Kind::after)
-          time += stage.end.time;
-        else if (fastest > 0)
-          time = std::max(time, (extent(scene.bodies[stage.end.body].shape).lower[1] - front) / fastest);
+        const double end   = stage.end->expected({start, front, fastest});
+        if (std::isfinite(end))
+          time = end;
         if (stage.mode == StageMode::eulerian || stage.cohesion != Cohesion::fragments)
           joined += time - start;
       }

@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
 #include <whipple/scene/sections.h>
+#include <whipple/scene/sphere_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +59,10 @@ namespace whipple::sections
     {
       double duration = 0;
       for (const Stage &stage : stages)
-        if (stage.end.kind == StageEnd::Kind::leading_edge)
+        if (!stage.end->is_known())
           return 0;
         else
-          duration = stage.end.time + (stage.end.kind == StageEnd::Kind::after ? duration : 0.);
+          duration = stage.end->expected({duration, 0., 0.});
       return duration;
     }
 
@@ -80,10 +81,12 @@ namespace whipple::sections
           box.lower[d] = std::isfinite(box.lower[d]) ? box.lower[d] : scene.lattice.origin[d];
           box.upper[d] = std::isfinite(box.upper[d]) ? box.upper[d] : scene.upper_corner()[d];
         }
-      box            = scene.mapped_box(box);
-      state.lower    = box.lower;
-      state.upper    = box.upper;
-      state.round    = std::holds_alternative<Sphere<dim>>(body.shape);
+      box         = scene.mapped_box(box);
+      state.lower = box.lower;
+      state.upper = box.upper;
+      state.round = body.shape.template as<Sphere<dim>>() != nullptr;
+      if (!state.round && !body.shape->is_box())
+        state.inside = [shape = body.shape](const Vector<dim> &x) { return shape->contains(x); };
       state.velocity = body.velocity;
       state.density  = body.density;
       state.energy   = body.energy;
@@ -136,7 +139,12 @@ namespace whipple::sections
     request.upper         = domain.upper;
     request.boundaries    = scene.boundaries;
     for (const Body<dim> &body : scene.bodies)
-      request.bodies.push_back(body_state(scene, body));
+      {
+        request.bodies.push_back(body_state(scene, body));
+        if (request.bodies.back().inside && !kind->any_shape)
+          section.reject("Name", "takes bodies as boxes; body '" + body.name +
+                                     "' is neither box nor plate nor sphere, or turned; allowed are those");
+      }
     try
       {
         return exact::make_exact_solution<dim>(request);

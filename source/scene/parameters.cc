@@ -53,8 +53,11 @@ namespace whipple
   void
   SceneParameters::reject(const std::string &section, const std::string &key, const std::string &allowed)
   {
-    throw InputError(find(section, key)->origin, section.empty() ? key : section + "/" + key, get(section, key),
-                     allowed);
+    constexpr std::size_t longest = 300; // of a value that a line can show
+    std::string           value   = get(section, key);
+    if (value.size() > longest)
+      value.replace(longest, std::string::npos, " ...");
+    throw InputError(find(section, key)->origin, section.empty() ? key : section + "/" + key, value, allowed);
   }
 
   std::string

@@ -2,6 +2,7 @@
 #include <whipple/material/johnson_cook_damage.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/scene_warnings.h>
+#include <whipple/scene/sphere_shape.h>
 #include <whipple/scene/units.h>
 
 #include <algorithm>
@@ -37,16 +38,7 @@ namespace whipple
     std::vector<double> times{0.};
     for (const Stage &stage : scene.stages)
       {
-        const double start = times.back();
-        if (stage.end.kind == StageEnd::Kind::at_time)
-          times.push_back(std::max(start, stage.end.time));
-        else if (stage.end.kind == StageEnd::Kind::after)
-          times.push_back(start + stage.end.time);
-        else
-          {
-            const double way = extent(scene.bodies[stage.end.body].shape).lower[1] - front;
-            times.push_back(std::max(start, fastest > 0 ? way / fastest : std::numeric_limits<double>::infinity()));
-          }
+        times.push_back(stage.end->expected({times.back(), front, fastest}));
       }
     return times;
   }
@@ -71,6 +63,18 @@ namespace whipple
         const auto   mirrors  = [&](int side) { return scene.boundaries[side].kind == BoundaryKind::reflecting; };
         const bool   mirrored = (touches_low && mirrors(2 * axis)) || (touches_high && mirrors(2 * axis + 1));
         return mirrored ? 2. * inside : inside;
+      }
+
+      /// Sides of the domain behind which the scene goes on as its mirror image.
+      template <int dim>
+      std::vector<MirrorPlane>
+      mirrors(const Scene<dim> &scene)
+      {
+        std::vector<MirrorPlane> planes;
+        for (int side = 0; side < 2 * dim; ++side)
+          if (scene.boundaries[side].kind == BoundaryKind::reflecting)
+            planes.push_back({side / 2, side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2]});
+        return planes;
       }
 
       /// The smallest of those below a bound, and how many there are.
@@ -114,8 +118,10 @@ namespace whipple
         return lines;
       Worst thin, coarse; // one line for all bodies of a kind
       for (const Body<dim> &body : scene.bodies)
-        if (const auto *sphere = std::get_if<Sphere<dim>>(&body.shape))
+        if (const auto *sphere = body.shape.template as<Sphere<dim>>())
           coarse.add(body.name, sphere->diameter, (1. - round_off) * least_sphere_cells * cell);
+        else if (!body.shape->is_box())
+          thin.add(body.name, body.shape->least_thickness(mirrors(scene)), (1. - round_off) * least_cells * cell);
         else
           {
             double thinnest = std::numeric_limits<double>::infinity();

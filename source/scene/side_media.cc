@@ -48,7 +48,7 @@ namespace whipple::sections
         {
           if (!touches(body, scene, side))
             continue;
-          if (body.initial_state == InitialState::exact || body.deposit)
+          if (!body.is_uniform() || body.deposit)
             section.reject(side_names[side], "body '" + body.name +
                                                  "' touches this side and is not uniform; allowed are bodies whose "
                                                  "pressure and velocity are the same everywhere");

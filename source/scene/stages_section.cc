@@ -35,27 +35,21 @@ namespace whipple::sections
       return std::sqrt(square);
     }
 
-    /// "1.5 us" | "for 2 us" | "until leading edge reaches BODY"
-    StageEnd
-    read_end(const SceneSection &section, const std::vector<std::string> &bodies)
+    template <int dim>
+    std::shared_ptr<const StageEnd>
+    read_end(const SceneSection &section, const Scene<dim> &scene)
     {
-      const std::string text = section.text("End");
-      if (text.empty())
-        section.reject("End", "must be given; allowed are a time such as '1.5 us', 'for 2 us', and 'until leading edge "
-                              "reaches BODY'");
-      StageEnd end;
-      if (const auto body = text_after("until leading edge reaches", text))
-        {
-          end.kind = StageEnd::Kind::leading_edge;
-          end.body = section.name_index("End", *body, bodies);
-          return end;
-        }
-      const auto duration = text_after("for", text);
-      end.kind            = duration ? StageEnd::Kind::after : StageEnd::Kind::at_time;
-      end.time            = section.parse("End", duration.value_or(text), units::time);
-      if (!(end.time > 0))
-        section.reject("End", "must be > 0 us");
-      return end;
+      StageEndInput input;
+      input.rest   = section.text("End");
+      input.bodies = body_names(scene);
+      for (const Body<dim> &body : scene.bodies)
+        input.fronts.push_back(extent(body.shape).lower[1]);
+      input.value = [&](const std::string &text, const units::Quantity &quantity) {
+        return section.parse("End", text, quantity);
+      };
+      input.body   = [&](const std::string &text) { return section.name_index("End", text, body_names(scene)); };
+      input.reject = [&](const std::string &allowed) { section.reject("End", allowed); };
+      return StageEndRegistry::read(std::move(input));
     }
 
     template <int dim>
@@ -89,7 +83,7 @@ namespace whipple::sections
       if (section.text("Introduces") != "none")
         for (const std::string &body : section.list("Introduces"))
           stage.introduces.push_back(section.name_index("Introduces", body, bodies));
-      stage.end = read_end(section, bodies);
+      stage.end = read_end(section, scene);
       if (const auto step = section.optional_positive("Max time step", units::time))
         stage.max_time_step = *step;
       stage.lost_kinetic_energy = section.choice<KineticLoss>(
@@ -145,8 +139,8 @@ namespace whipple::sections
                                                  introduced_by[b] + "'; allowed is once");
               introduced_by[b] = stage.name;
             }
-          if (stage.end.kind == StageEnd::Kind::leading_edge && !introduced_by[stage.end.body].empty())
-            section.reject("End", "body '" + scene.bodies[stage.end.body].name +
+          if (const auto awaited = stage.end->awaited_body(); awaited && !introduced_by[*awaited].empty())
+            section.reject("End", "body '" + scene.bodies[*awaited].name +
                                       "' is in the scene already; allowed is a body that a later stage introduces");
         }
     }
@@ -159,15 +153,13 @@ namespace whipple::sections
       for (const Stage &stage : stages)
         {
           const SceneSection section(parameters, path + "/" + stage.name);
-          if (stage.end.kind == StageEnd::Kind::after)
-            earliest += stage.end.time;
-          if (stage.end.kind != StageEnd::Kind::at_time)
-            continue;
-          if (!(stage.end.time > earliest))
+          const auto         fixed = stage.end->fixed_time();
+          if (fixed && !(*fixed > earliest))
             section.reject("End",
                            "the stage does not start before " + units::format(earliest, units::time) +
                                "; allowed is a later time (times count from the start of the run), or 'for 2 us'");
-          earliest = stage.end.time;
+          if (stage.end->is_known())
+            earliest = stage.end->expected({earliest, 0., 0.});
         }
     }
   } // namespace
@@ -182,7 +174,7 @@ namespace whipple::sections
         section.declare("Mode", "eulerian", "eulerian (fixed mesh) | lagrangian (the mesh moves with the material)");
         section.declare("Introduces", name == names.front() ? "" : "none",
                         "bodies that enter at the start; first stage: not given means all that no other stage lists");
-        section.declare("End", "", "a time '1.5 us' | 'for 2 us' | 'until leading edge reaches BODY'");
+        section.declare("End", "", StageEndRegistry::usage());
         section.declare("Max time step", "none", "none | a time");
         section.declare("Lost kinetic energy", "heat",
                         "what remap and projection cannot keep: heat (into the material) | drop (booked, as in 1993)");

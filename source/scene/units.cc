@@ -55,6 +55,7 @@ namespace whipple::units
         Unit{"MJ", 1, 1, energy.dimension},
         Unit{"erg", 1, -12, energy.dimension},
         Unit{"W", 1, -11, {2, 1, -3, 0}},
+        Unit{"deg", 1, 0, angle.dimension},
         Unit{"%", 1, -2, number.dimension},
     };
 
@@ -116,6 +117,7 @@ namespace whipple::units
         dimension.mass += power * factor.dimension.mass;
         dimension.time += power * factor.dimension.time;
         dimension.temperature += power * factor.dimension.temperature;
+        dimension.angle += power * factor.dimension.angle;
       }
     };
 
@@ -150,7 +152,7 @@ namespace whipple::units
       {
         constexpr int    largest = 1000;
         const Dimension &d       = scale.dimension;
-        for (const int power : {scale.exponent, d.length, d.mass, d.time, d.temperature})
+        for (const int power : {scale.exponent, d.length, d.mass, d.time, d.temperature, d.angle})
           if (std::abs(power) > largest)
             fail();
       }
@@ -283,9 +285,9 @@ namespace whipple::units
   find_quantity(std::string_view name)
   {
     static constexpr const Quantity *all[] = {
-        &number, &length,        &time,        &velocity,      &density,      &pressure,         &specific_energy,
-        &energy, &void_rate,     &temperature, &specific_heat, &conductivity, &inverse_pressure, &inverse_temperature,
-        &rate,   &surface_energy};
+        &number, &length,         &time,        &velocity,      &density,      &pressure,         &specific_energy,
+        &energy, &void_rate,      &temperature, &specific_heat, &conductivity, &inverse_pressure, &inverse_temperature,
+        &rate,   &surface_energy, &angle};
     for (const Quantity *quantity : all)
       if (name == quantity->name)
         return quantity;

@@ -25,15 +25,10 @@ namespace whipple
     {
       const Box<dim>    box = extent(body.shape);
       const Vector<dim> low = scene.lattice.origin, high = scene.upper_corner();
-      double            area = 1, edge = 0;
+      double            edge = 0;
       for (int d = 0; d < dim; ++d)
-        {
-          const double length = std::max(0., std::min(box.upper[d], high[d]) - std::max(box.lower[d], low[d]));
-          area *= length;
-          edge += 2. * length;
-        }
-      constexpr double disc = 0.785398; // pi / 4, of its box
-      return {std::holds_alternative<Sphere<dim>>(body.shape) ? disc * area : area, edge};
+        edge += 2. * std::max(0., std::min(box.upper[d], high[d]) - std::max(box.lower[d], low[d]));
+      return {body.shape->volume(Symmetry::planar, low, high), edge};
     }
 
     /// Largest signal speed that a body is likely to have: its sound speed and the largest velocity of the scene.

@@ -29,7 +29,7 @@ namespace whipple::warnings
           return true;
       return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t b) {
         const Body<dim> &body = scene.bodies[b];
-        return body.initial_state == InitialState::exact || body.energy > 0 || body.deposit ||
+        return !body.is_uniform() || body.energy > 0 || body.deposit ||
                scene.materials[body.material].request.equation_of_state == "ideal gas";
       });
     }
@@ -77,9 +77,9 @@ namespace whipple::warnings
         if (is_driven(scene, present[s]))
           continue;
         const double fastest = fastest_upwards(scene, present[s]);
-        if (stage.end.kind == StageEnd::Kind::leading_edge && !(fastest > 0))
+        if (const auto awaited = stage.end->awaited_body(); awaited && !(fastest > 0))
           lines.push_back("stage '" + stage.name + "' waits until something reaches body '" +
-                          scene.bodies[stage.end.body].name + "', but of what is there nothing moves towards it (" +
+                          scene.bodies[*awaited].name + "', but of what is there nothing moves towards it (" +
                           km_per_s(fastest) + " at most): it cannot end");
         const bool selects =
             s > 0 && stage.mode == StageMode::lagrangian && scene.stages[s - 1].mode == StageMode::eulerian;

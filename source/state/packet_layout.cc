@@ -123,8 +123,7 @@ namespace whipple
     for (const MaterialState &source : like.material)
       {
         MaterialState &target = state.material.emplace_back();
-        for (auto *array :
-             {&target.volume, &target.mass, &target.density, &target.energy, &target.pressure, &target.sound_speed})
+        for (auto *array : {&target.volume, &target.mass, &target.density, &target.energy})
           array->assign(cells, 0.);
         target.carries_voids = source.has_voids();
         if (target.carries_voids)

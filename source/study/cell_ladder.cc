@@ -78,6 +78,8 @@ namespace whipple
               if (upper - lower < (1. - same_corner) * (scene.upper_corner()[d] - scene.lattice.origin[d]))
                 smallest = std::min(smallest, upper - lower);
             }
+          if (!body.shape->is_box())
+            smallest = std::min(smallest, body.shape->least_thickness({}));
         }
       return 0.5 * smallest;
     }

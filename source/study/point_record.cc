@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 namespace whipple
 {
@@ -165,7 +166,7 @@ namespace whipple
         const Json        json   = Json::parse(input);
         const PointRecord record = record_of(json);
         if (json.at("performance").at("ranks").get<int>() != point.ranks ||
-            !(any_version || same_version(record.program, file)))
+            !(any_version || same_version(record.program, file)) || json.value("resumable", false))
           return std::nullopt;
         return record;
       }
@@ -173,6 +174,14 @@ namespace whipple
       {
         return std::nullopt; // written by a version that knew other keys
       }
+  }
+
+  bool
+  can_go_on(const std::string &directory, const StudyPoint &point)
+  {
+    std::error_code failure;
+    return text_of(fs::path(directory) / "parameters.prm") == point.effective_parameters &&
+           !fs::is_empty(fs::path(directory) / "checkpoints", failure) && !failure;
   }
 
   PointRecord

@@ -22,6 +22,13 @@ namespace whipple
       return seconds ? "about " + duration(*seconds) : "time not known yet";
     }
 
+    /// Go on with a run that was ended.
+    std::vector<std::string>
+    words_to_go_on(const StudyPoint &point, const std::string &directory)
+    {
+      return {"run", "--resume", directory, "-n", std::to_string(point.ranks)};
+    }
+
     std::vector<std::string>
     words_of(const StudyPlan &plan, const StudyPoint &point, const std::string &directory)
     {
@@ -111,9 +118,30 @@ namespace whipple
     const std::string directory = point_directory(options_.output_directory, point.label, repeat);
     const std::string log       = point_log(options_.output_directory, point.label, repeat);
     std::filesystem::create_directories(std::filesystem::path(directory).parent_path());
-    const auto expected = forecast(plan, point);
-    const auto start    = std::chrono::steady_clock::now();
-    ChildRun   child(words_of(plan, point, directory), log);
+    const auto     expected    = forecast(plan, point);
+    constexpr bool any_version = true; // it is this very program's
+    std::string    ended;
+    if (can_go_on(directory, point))
+      {
+        say("  goes on where it was ended");
+        ended = wait_for(ChildRun(words_to_go_on(point, directory), log), title, expected);
+        if (const auto record = find_record(directory, point, any_version))
+          return *record;
+        say("  could not go on (" + last_words(log) + "): begins anew");
+      }
+    ended = wait_for(ChildRun(words_of(plan, point, directory), log), title, expected);
+    if (const auto record = find_record(directory, point, any_version))
+      return *record;
+    PointRecord record;
+    record.program = this_program();
+    record.reason  = ended + ": " + last_words(log);
+    return record;
+  }
+
+  std::string
+  StudyRunner::wait_for(ChildRun &&child, const std::string &title, std::optional<double> expected)
+  {
+    const auto start = std::chrono::steady_clock::now();
     auto       ended = child.ended();
     while (!ended)
       {
@@ -122,13 +150,7 @@ namespace whipple
         refresh(title + ": " + duration(seconds) + " of " + about(expected));
         ended = child.ended();
       }
-    constexpr bool any_version = true; // it is this very program's
-    if (const auto record = find_record(directory, point, any_version))
-      return *record;
-    PointRecord record;
-    record.program = this_program();
-    record.reason  = *ended + ": " + last_words(log);
-    return record;
+    return *ended;
   }
 
   std::vector<StudyRunner::Repeats>

@@ -34,21 +34,25 @@ compare() {
   shift 3
   for ranks in 1 2 3; do
     rm -rf "$name.$ranks"
-    "$program" run "$source/prm/$scene" -n $ranks --output "$name.$ranks" "$@" >"$name.$ranks.txt"
+    "$program" run "$source/$scene" -n $ranks --output "$name.$ranks" "$@" >"$name.$ranks.txt"
   done
   same_values "$name.1" "$name.2" "$scale"
   same_values "$name.1" "$name.3" "$scale"
 }
 
 # coarse cells and a short look at the wall; scale: kinetic energy of the sphere, Mbar cm^3
-compare whipple 0.01 whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' \
+compare whipple 0.01 prm/whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' \
   --set 'Stages/wall/End = for 0.2 us' --set 'Output/Fields interval = 100 us'
 grep -q '"leading_edge_velocity_cm_per_us": 0.5' whipple.3/summary.json
 
 # bonds that break at hand-over and in flight
-compare graded 0.01 whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' --set 'Stages/List = perforation, debris' \
+compare graded 0.01 prm/whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' --set 'Stages/List = perforation, debris' \
   --set 'Stages/debris/Cohesion = graded' --set 'Stages/debris/Break void = 80 %' \
   --set 'Output/Fields interval = 100 us'
 grep -q '"breaks": [1-9]' graded.3/summary.json
 
-compare sedov 0.25 verification/sedov.prm --set 'Stages/blast/End = 0.3 us'
+compare sedov 0.25 prm/verification/sedov.prm --set 'Stages/blast/End = 0.3 us'
+
+# turned bodies, an outline, and states in expressions
+compare oblique 0.006 prm/oblique_impact.prm --set 'Mesh/Finest cell = 0.04 cm' --set 'Stages/impact/End = 0.3 us'
+compare cone 0.002 tests/verification/scenes/turned_cone.prm --set 'Stages/flight/End = 0.1 us'

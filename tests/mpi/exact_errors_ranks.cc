@@ -31,9 +31,9 @@ namespace
     Ledger<2>           ledger;
     Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
     LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
-        .update_pressure(domain.state);
+        .evaluate(domain.state, domain.derived);
     domain.state.time = 0.3;
-    return {exact_errors<2>(*scene.exact, domain.view->mesh, domain.state, communicator),
+    return {exact_errors<2>(*scene.exact, domain.view->mesh, domain.state, domain.derived, communicator),
             measure_shock<2>(scene, domain.view->mesh, domain.state, communicator)};
   }
 

@@ -50,8 +50,7 @@ namespace
     state.node_mass.assign(mesh.n_nodes, 1.);
     state.volume.assign(n, 1.);
     MaterialState material;
-    for (auto *values : {&material.volume, &material.mass, &material.density, &material.energy, &material.pressure,
-                         &material.sound_speed})
+    for (auto *values : {&material.volume, &material.mass, &material.density, &material.energy})
       values->assign(n, 1.);
     state.material.push_back(material);
     return state;
@@ -96,8 +95,10 @@ namespace
     const int         total = ranks == 1 ? 1 : ranks * (ranks - 1) / 2;
 
     const fs::path directory = fresh_directory("whipple_field_output_ranks_");
+    Derived        pressures;
+    pressures.material.emplace_back().pressure.assign(state.volume.size(), 1.);
     FieldOutput<2> output(directory.string(), {"aluminium"}, {.vtu = true}, MPI_COMM_WORLD);
-    output.write(mesh, state, "flight");
+    output.write(mesh, state, pressures, "flight");
     MPI_Barrier(MPI_COMM_WORLD);
 
     if (rank == 0) // HDF5 locks a file that is open

@@ -123,7 +123,7 @@ def judge(status, text, directory, scene):
     if not all(map(math.isfinite, numbers_of(summary))):
         return ("not a number in the summary", ""), reason
     energy = summary["ledger"]["energy_Mbar_cm3"]
-    allowed = (energy["initial_kinetic"] + max(0., energy["initial_internal"])) * GROWTH
+    allowed = (energy.get("initial_kinetic", 0.) + max(0., energy.get("initial_internal", 0.))) * GROWTH
     columns = statistics(directory)
     if columns:
         values = {name: [float(v) for v in column] for name, column in columns.items() if not name.startswith(NOT_ALWAYS_NUMBERS)}
@@ -142,7 +142,7 @@ def judge(status, text, directory, scene):
         closure = summary["ledger"][name]["closure_relative"]
         if closure is not None and closure > CLOSURE:
             return ("open ledger", f"{name} {closure:.3g} at the end"), reason
-    if energy["kinetic"] > allowed:
+    if energy.get("kinetic", 0.) > allowed:
         return ("kinetic energy grows", f"x {energy['kinetic'] / max(allowed, 1e-300):.6g} at the end"), reason
     if reason and re.search(r"\bnan\b|\binf\b", reason):
         return ("stopped at something that is not a number", reason[:200]), reason

@@ -24,6 +24,11 @@ namespace whipple::stability
   {
     return simulation->domain().state;
   }
+  const Derived &
+  Outcome::derived() const
+  {
+    return simulation->domain().derived;
+  }
   const Ledger<2> &
   Outcome::ledger() const
   {
@@ -91,11 +96,12 @@ namespace whipple::stability
       {
         Cell   cell{{0, 0}, 0, state().volume[c], 0, 0, 0, 0, 0};
         double energy = 0;
-        for (const MaterialState &m : state().material)
+        for (std::size_t i = 0; i < state().material.size(); ++i)
           {
+            const MaterialState &m = state().material[i];
             cell.mass += m.mass[c];
             energy += m.mass[c] * m.energy[c];
-            cell.pressure += m.volume[c] * m.pressure[c] / cell.volume;
+            cell.pressure += m.volume[c] * derived().material[i].pressure[c] / cell.volume;
           }
         if (!(cell.mass > 0))
           continue;
@@ -125,6 +131,20 @@ namespace whipple::stability
         if (m.mass[c] > 0)
           result =
               std::isnan((m.*member)[c]) ? -std::numeric_limits<double>::infinity() : std::min(result, (m.*member)[c]);
+    return result;
+  }
+
+  double
+  Outcome::smallest_pressure() const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < state().material.size(); ++m)
+      for (Index c = 0; c < mesh().n_owned; ++c)
+        if (state().material[m].mass[c] > 0)
+          {
+            const double pressure = derived().material[m].pressure[c];
+            result = std::isnan(pressure) ? -std::numeric_limits<double>::infinity() : std::min(result, pressure);
+          }
     return result;
   }
 

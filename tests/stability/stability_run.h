@@ -8,6 +8,7 @@
 #include <whipple/ledger/ledger.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/output/summary.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <memory>
@@ -48,6 +49,8 @@ namespace whipple::stability
     mesh() const;
     const State<2> &
     state() const;
+    const Derived &
+    derived() const;
     const Ledger<2> &
     ledger() const;
     const summary::Summary &
@@ -81,6 +84,10 @@ namespace whipple::stability
     /// number.
     double
     smallest(std::vector<double> MaterialState::*member) const;
+
+    /// The same of the pressure of the materials, Mbar.
+    double
+    smallest_pressure() const;
 
     /// Largest value of a member of MaterialState over all cells that hold the material; infinity if one is not a
     /// number.

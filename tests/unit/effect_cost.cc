@@ -53,12 +53,14 @@ namespace
       , passes(make_passes<2>(scene.effects, {mesh, layout.materials, layout.fields}))
       , scratch(material_passes::make_scratch(layout.materials, mesh.n_cells))
     {
+      lagrange.evaluate(state, derived);
     }
 
     Scene<2>                                    scene;
     FieldLayout                                 layout;
     FlatMesh<2>                                 mesh;
     State<2>                                    state;
+    Derived                                     derived;
     LagrangeStep<2>                             lagrange;
     std::vector<std::unique_ptr<EffectPass<2>>> passes;
     material_passes::Scratch                    scratch;
@@ -78,9 +80,8 @@ namespace
   optional_work(const MaterialWork &work)
   {
     std::size_t values = 0;
-    for (const auto *array :
-         {&work.shear_modulus, &work.yield_stress, &work.solid_pressure, &work.half_pressure, &work.void_fraction,
-          &work.stress[0], &work.stress[1], &work.stress[2], &work.plastic_strain})
+    for (const auto *array : {&work.half_pressure, &work.void_fraction, &work.stress[0], &work.stress[1],
+                              &work.stress[2], &work.plastic_strain})
       values += array->capacity();
     return values * sizeof(double);
   }
@@ -101,8 +102,11 @@ namespace
 
     const StepWork<2> &work = run.lagrange.before();
     EXPECT_FALSE(work.has_strength); // the kernels without stress run
-    EXPECT_EQ(work.strain_rate.capacity(), 0);
+    EXPECT_EQ(run.derived.strain_rate.capacity(), 0);
+    EXPECT_EQ(run.derived.material[0].shear_modulus.capacity(), 0);
+    EXPECT_EQ(run.derived.material[0].yield_stress.capacity(), 0);
     EXPECT_EQ(optional_work(work.material[0]), 0);
+    EXPECT_EQ(run.scratch.solid_pressure.capacity(), 0);
     EXPECT_EQ(run.scratch.soundness.capacity(), 0);
     EXPECT_EQ(run.scratch.melt_fraction.capacity(), 0);
   }
@@ -117,9 +121,10 @@ namespace
     const StepWork<2>  &work = run.lagrange.before();
     const MaterialWork &next = work.material[0];
     EXPECT_TRUE(work.has_strength);
-    EXPECT_EQ(work.strain_rate.size(), 8); // Johnson and Cook ask for it
+    EXPECT_EQ(run.derived.strain_rate.size(), 8); // Johnson and Cook ask for it
+    const DerivedMaterial &derived = run.derived.material[0];
     for (const auto *array :
-         {&next.shear_modulus, &next.yield_stress, &next.void_fraction, &next.stress[2], &next.plastic_strain})
+         {&derived.shear_modulus, &derived.yield_stress, &next.void_fraction, &next.stress[2], &next.plastic_strain})
       EXPECT_EQ(array->size(), 8);
     EXPECT_EQ(run.scratch.soundness.size(), 8);
     EXPECT_EQ(run.scratch.melt_fraction.size(), 8);

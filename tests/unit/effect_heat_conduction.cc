@@ -71,7 +71,7 @@ namespace
     for (const double end = 0.1; end - state.time > 1e-12;)
       {
         const double dt = std::min(pass->time_step(state).dt, end - state.time);
-        pass->advance(state, unused, dt);
+        pass->advance(state, Derived(), unused, dt);
         state.time += dt;
       }
 
@@ -124,7 +124,10 @@ namespace
     void
     conduct(double dt)
     {
-      EffectRegistry<2>::all().at("heat conduction").make({mesh, materials, {}})->advance(state, StepWork<2>(), dt);
+      EffectRegistry<2>::all()
+          .at("heat conduction")
+          .make({mesh, materials, {}})
+          ->advance(state, Derived(), StepWork<2>(), dt);
     }
 
     Lattice<2>            grid{Symmetry::planar, {{0., 0.}}, 1., {{2, 1}}, 0};
@@ -190,7 +193,7 @@ namespace
     const StepWork<2> unused;
     for (int i = 0; i < 200; ++i)
       {
-        pass->advance(state, unused, pass->time_step(state).dt);
+        pass->advance(state, Derived(), unused, pass->time_step(state).dt);
         for (Index cell = 0; cell < mesh.n_cells; ++cell)
           {
             EXPECT_GE(state.material[0].energy[cell], 200. - 1e-9);

@@ -71,7 +71,7 @@ namespace whipple::hydro_case
     for (const Material &material : materials)
       {
         MaterialState &m = state.material.emplace_back();
-        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy, &m.pressure, &m.sound_speed})
+        for (auto *array : {&m.volume, &m.mass, &m.density, &m.energy})
           array->assign(mesh.n_cells, 0.);
         if (material.void_law)
           m.void_fraction.assign(mesh.n_cells, 0.);
@@ -153,6 +153,27 @@ namespace whipple::hydro_case
     return sum;
   }
 
+  /// What follows from a state.
+  inline Derived
+  evaluate(LagrangeStep<2> &step, const State<2> &state)
+  {
+    Derived derived;
+    step.evaluate(state, derived);
+    return derived;
+  }
+
+  inline TimeStepLimit
+  time_step(LagrangeStep<2> &step, const State<2> &state)
+  {
+    return step.time_step(state, evaluate(step, state));
+  }
+
+  inline LagrangeReport<2>
+  advance(LagrangeStep<2> &step, State<2> &state, double dt)
+  {
+    return step.advance(state, evaluate(step, state), dt);
+  }
+
   /// Run to `end`, at most growing dt by a tenth a step.
   /// @param first_step part of the stable time step to start with
   /// @return boundary work and all that steps report
@@ -160,13 +181,14 @@ namespace whipple::hydro_case
   run(LagrangeStep<2> &step, State<2> &state, double end, double first_step = 0.01)
   {
     step.update_node_mass(state);
-    step.update_pressure(state);
+    Derived           derived = evaluate(step, state);
     LagrangeReport<2> total;
-    double            dt = first_step * step.time_step(state).dt / 1.1;
+    double            dt = first_step * step.time_step(state, derived).dt / 1.1;
     while (end - state.time > 1e-12 * end)
       {
-        dt                = std::min({1.1 * dt, step.time_step(state).dt, end - state.time});
-        const auto report = step.advance(state, dt);
+        dt                = std::min({1.1 * dt, step.time_step(state, derived).dt, end - state.time});
+        const auto report = step.advance(state, derived, dt);
+        step.evaluate(state, derived);
         total.viscous_work += report.viscous_work;
         total.hourglass_work += report.hourglass_work;
         total.plastic_work += report.plastic_work;

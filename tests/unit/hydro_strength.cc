@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "hydro_case.h"
 
-#include <whipple/error.h>
 #include <whipple/hydro/plasticity.h>
-#include <whipple/material/linear_hardening.h>
 #include <whipple/material/mie_grueneisen.h>
 #include <whipple/material/perfectly_plastic.h>
 #include <whipple/material/rate_void_law.h>
@@ -64,8 +62,7 @@ namespace
     set_velocity(mesh, state, [](double, double y) { return Vector<2>{{1e-3 * y, 0.}}; });
     LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::transmitting), {});
     step.update_node_mass(state);
-    step.update_pressure(state);
-    step.advance(state, 0.01);
+    advance(step, state, 0.01);
     // cells whose nodes no free side has touched
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
@@ -85,8 +82,7 @@ namespace
     set_velocity(mesh, state, [](double r, double z) { return Vector<2>{{-0.5 * r, z}}; });
     LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::transmitting), {});
     step.update_node_mass(state);
-    step.update_pressure(state);
-    const auto report = step.advance(state, 0.02);
+    const auto report = advance(step, state, 0.02);
     EXPECT_GT(report.plastic_work, 0.);
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
@@ -112,8 +108,7 @@ namespace
         }
       LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::reflecting), {});
       step.update_node_mass(state);
-      step.update_pressure(state);
-      step.advance(state, 1e-4);
+      advance(step, state, 1e-4);
       double largest = 0;
       for (Index node = 0; node < mesh.n_nodes; ++node)
         if (mesh.node_side[node] == 0)
@@ -143,35 +138,8 @@ namespace
     EXPECT_EQ(a.position, b.position);
     EXPECT_EQ(a.velocity, b.velocity);
     EXPECT_EQ(a.material[0].energy, b.material[0].energy);
-    EXPECT_EQ(a.material[0].pressure, b.material[0].pressure);
+    EXPECT_EQ(evaluate(step_a, a).material[0].pressure, evaluate(step_b, b).material[0].pressure);
     for (const double phi : a.material[0].void_fraction)
       EXPECT_EQ(phi, 0.);
-  }
-
-  // A step that fails leaves its state with what has been evaluated of it; the state that is put in its place must not
-  // be judged by that.
-  TEST(HydroStrength, AStepThatWasUndoneLeavesNothingBehind)
-  {
-    const FlatMesh<2> mesh      = box(Symmetry::axisymmetric);
-    auto              materials = aluminium(false);
-    materials[0].strength       = std::make_shared<LinearHardening>(LinearHardening::Constants{shear, yield, 1.});
-    State<2> state              = solid(mesh, materials);
-    set_velocity(mesh, state, [](double r, double z) { return Vector<2>{{-0.5 * r, z}}; });
-    LagrangeStep<2> step(mesh, materials, sides(BoundaryKind::reflecting), {});
-    step.update_node_mass(state);
-    step.update_pressure(state);
-    const State<2> start = state;
-    step.advance(state, 0.01);
-    const State<2> once = state; // hardened
-    step.time_step(state);
-    EXPECT_THROW(step.advance(state, 1e3), StateError);
-    state = start;
-    step.update_pressure(state); // as a stage does that goes back
-    step.advance(state, 0.01);
-    EXPECT_GT(once.material[0].fields[3].value[0], 0.);
-    for (std::size_t f = 0; f < 4; ++f)
-      EXPECT_EQ(state.material[0].fields[f].value, once.material[0].fields[f].value);
-    EXPECT_EQ(state.material[0].energy, once.material[0].energy);
-    EXPECT_EQ(state.velocity, once.velocity);
   }
 } // namespace

@@ -54,23 +54,20 @@ namespace
     fill_all(strip.state, 1., 1.);
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
-    const double normal = step.time_step(strip.state).dt;
+    const double normal = time_step(step, strip.state).dt;
 
     fill(strip.state, 10, 1e-6, 1e12); // a millionth of the mass, hot beyond reason
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
-    EXPECT_EQ(strip.state.material[0].pressure[10], 0.);
-    EXPECT_EQ(step.time_step(strip.state).dt, normal);
+    EXPECT_EQ(evaluate(step, strip.state).material[0].pressure[10], 0.);
+    EXPECT_EQ(time_step(step, strip.state).dt, normal);
     const Totals before = totals(strip.state);
     for (int i = 0; i < 5; ++i) // until its neighbours have squeezed it to a density that has a state
-      step.advance(strip.state, 0.02 * normal);
+      advance(step, strip.state, 0.02 * normal);
     EXPECT_EQ(strip.state.material[0].energy[10], 1e12);
     EXPECT_NEAR(totals(strip.state).energy, before.energy, 1e-13 * before.energy);
     // all of three times that mass has a state again
     fill(strip.state, 10, 3e-6, 1.);
-    step.update_pressure(strip.state);
-    EXPECT_GT(strip.state.material[0].pressure[10], 0.);
+    EXPECT_GT(evaluate(step, strip.state).material[0].pressure[10], 0.);
   }
 
   TEST(Traces, GasBesideExpandingMetalDoesNotThinWithoutBound)
@@ -87,10 +84,9 @@ namespace
     strip.boundaries = sides(BoundaryKind::keep_velocity);
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
     const double mass = strip.state.material[1].mass[7];
     for (int i = 0; i < 2000; ++i)
-      step.advance(strip.state, std::min(0.005, step.time_step(strip.state).dt));
+      advance(step, strip.state, std::min(0.005, time_step(step, strip.state).dt));
     EXPECT_EQ(strip.state.material[1].mass[7], mass);
     EXPECT_NEAR(strip.state.material[1].density[7], 0.0141, 1e-12);
     EXPECT_LT(std::abs(strip.state.material[1].energy[7]), 1.);
@@ -105,9 +101,8 @@ namespace
     strip.boundaries = sides(BoundaryKind::keep_velocity);
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
     for (int i = 0; i < 500; ++i)
-      step.advance(strip.state, 0.01);
+      advance(step, strip.state, 0.01);
     for (Index cell = 0; cell < strip.mesh.n_cells; ++cell)
       {
         EXPECT_NEAR(strip.state.material[0].density[cell], 1.9e-6, 1e-18);
@@ -124,8 +119,7 @@ namespace
     strip.boundaries[0].velocity = {{2., 0.}};
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
-    const TimeStepLimit limit = step.time_step(strip.state);
+    const TimeStepLimit limit = time_step(step, strip.state);
     EXPECT_LE(limit.dt, 0.1 * 0.01 / 2.); // a tenth of the cell's volume
     EXPECT_EQ(limit.cell, 0);
   }
@@ -150,11 +144,10 @@ namespace
     fill_all(strip.state, 0.7336, 0.0303);
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
-    ASSERT_EQ(strip.state.material[0].sound_speed[3], 0.);
-    const double pressure = strip.state.material[0].pressure[3];
+    ASSERT_EQ(evaluate(step, strip.state).material[0].sound_speed[3], 0.);
+    const double pressure = evaluate(step, strip.state).material[0].pressure[3];
     ASSERT_GT(pressure, 0.001);
-    EXPECT_NEAR(step.time_step(strip.state).dt, 0.5 * 0.01 / std::sqrt(pressure / 0.7336), 1e-12);
+    EXPECT_NEAR(time_step(step, strip.state).dt, 0.5 * 0.01 / std::sqrt(pressure / 0.7336), 1e-12);
   }
 
   TEST(TimeStep, AStepThatChangesAVolumeByHalfFails)
@@ -164,9 +157,8 @@ namespace
     set_velocity(strip.mesh, strip.state, [](double x, double) { return Vector<2>{{x < 0.095 ? 0.01 : -0.01, 0.}}; });
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
     const State<2> before = strip.state;
-    EXPECT_THROW(step.advance(strip.state, 0.3), StateError);
+    EXPECT_THROW(advance(step, strip.state, 0.3), StateError);
     EXPECT_EQ(strip.state.volume, before.volume);
     EXPECT_EQ(strip.state.material[0].energy, before.material[0].energy);
   }
@@ -181,8 +173,7 @@ namespace
     strip.boundaries = sides(BoundaryKind::keep_velocity);
     LagrangeStep<2> step(strip.mesh, strip.materials, strip.boundaries, {});
     step.update_node_mass(strip.state);
-    step.update_pressure(strip.state);
-    EXPECT_THROW(step.advance(strip.state, 0.005), StateError);
-    EXPECT_NO_THROW(step.advance(strip.state, 1e-5));
+    EXPECT_THROW(advance(step, strip.state, 0.005), StateError);
+    EXPECT_NO_THROW(advance(step, strip.state, 1e-5));
   }
 } // namespace

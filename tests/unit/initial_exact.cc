@@ -66,13 +66,13 @@ namespace
       Ledger<2> ledger;
       Handover<2>(this->scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
       LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
-          .update_pressure(domain.state);
+          .evaluate(domain.state, domain.derived);
     }
 
     std::map<std::string, summary::Error>
     errors(const exact::ExactSolution<2> &solution) const
     {
-      return exact_errors<2>(solution, domain.view->mesh, domain.state, MPI_COMM_SELF);
+      return exact_errors<2>(solution, domain.view->mesh, domain.state, domain.derived, MPI_COMM_SELF);
     }
 
     Scene<2>      scene;

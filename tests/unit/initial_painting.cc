@@ -7,6 +7,7 @@
 #include <whipple/ledger/totals.h>
 #include <whipple/run/handover.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/plate_shape.h>
 #include <whipple/state/round_off_share.h>
 
 #include <gtest/gtest.h>
@@ -103,7 +104,9 @@ namespace
     Scene<2> scene = read_scene<2>(
         source_directory() + "/prm/whipple_shield.prm",
         with({"Bodies/List = bumper", "Bodies/bumper/Front face = 0.001 cm", "Bodies/bumper/Thickness = 0.01 cm"}));
-    std::get<Plate<2>>(scene.bodies[0].shape).thickness = thickness;
+    Plate<2> plate        = *scene.bodies[0].shape.as<Plate<2>>();
+    plate.thickness       = thickness;
+    scene.bodies[0].shape = plate;
     return scene;
   }
 

@@ -88,8 +88,8 @@ namespace remap_case
     state.material.resize(n_materials);
     for (whipple::MaterialState &material : state.material)
       {
-        for (std::vector<double> *value : {&material.volume, &material.mass, &material.density, &material.energy,
-                                           &material.void_fraction, &material.pressure, &material.sound_speed})
+        for (std::vector<double> *value :
+             {&material.volume, &material.mass, &material.density, &material.energy, &material.void_fraction})
           value->assign(mesh.n_cells, 0.);
         material.fields = {{{"plastic strain", "1", whipple::Carrier::mass}, material.volume},
                            {{"deviatoric stress rr", "Mbar", whipple::Carrier::volume}, material.volume}};

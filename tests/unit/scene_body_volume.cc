@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/geometry.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/plate_shape.h>
+#include <whipple/scene/sphere_shape.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,9 @@
 
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
+#include <whipple/scene/plate_shape.h>
 #include <whipple/scene/scene.h>
+#include <whipple/scene/sphere_shape.h>
 
 #include <gtest/gtest.h>
 
@@ -98,7 +100,8 @@ namespace
     EXPECT_EQ(aluminium.model.void_law->name(), "rate");
 
     ASSERT_EQ(scene.bodies.size(), 3u);
-    const auto &sphere = std::get<Sphere<2>>(scene.bodies[0].shape);
+    ASSERT_TRUE(scene.bodies[0].shape.as<Sphere<2>>());
+    const auto &sphere = *scene.bodies[0].shape.as<Sphere<2>>();
     EXPECT_EQ(sphere.center, (Vector<2>{{0, -0.16}}));
     EXPECT_EQ(sphere.diameter, 0.32);
     EXPECT_EQ(scene.bodies[0].velocity, (Vector<2>{{0, 0.658}}));
@@ -107,14 +110,13 @@ namespace
     const Box<2> bumper = extent(scene.bodies[1].shape), wall = extent(scene.bodies[2].shape);
     EXPECT_DOUBLE_EQ(bumper.upper[1] - bumper.lower[1], 0.081);
     EXPECT_DOUBLE_EQ(wall.lower[1] - bumper.upper[1], 10.16);
-    EXPECT_EQ(std::get<Plate<2>>(scene.bodies[2].shape).thickness, 0.127);
+    EXPECT_EQ(scene.bodies[2].shape.as<Plate<2>>()->thickness, 0.127);
 
     ASSERT_EQ(scene.stages.size(), 3u);
     const Stage &perforation = scene.stages[0], &debris = scene.stages[1], &impact = scene.stages[2];
     EXPECT_EQ(perforation.mode, StageMode::eulerian);
     EXPECT_EQ(perforation.introduces, (std::vector<std::size_t>{0, 1}));
-    EXPECT_EQ(perforation.end.kind, StageEnd::Kind::at_time);
-    EXPECT_EQ(perforation.end.time, 1.5);
+    EXPECT_EQ(perforation.end->fixed_time(), std::optional<double>(1.5));
     EXPECT_EQ(debris.mode, StageMode::lagrangian);
     EXPECT_EQ(debris.cohesion, Cohesion::fragments);
     EXPECT_EQ(debris.breaking.damage, 0.5);
@@ -123,12 +125,12 @@ namespace
     EXPECT_EQ(debris.debris.void_cutoff, 0.99);
     EXPECT_DOUBLE_EQ(debris.debris.minimum_axial_velocity, 0.0658);
     EXPECT_EQ(debris.debris.behind, std::optional<std::size_t>(1));
-    EXPECT_EQ(debris.end.kind, StageEnd::Kind::leading_edge);
-    EXPECT_EQ(debris.end.body, 2u);
+    EXPECT_EQ(debris.end->awaited_body(), std::optional<std::size_t>(2));
+    EXPECT_FALSE(debris.end->is_known());
     EXPECT_TRUE(debris.introduces.empty());
     EXPECT_EQ(impact.introduces, (std::vector<std::size_t>{2}));
-    EXPECT_EQ(impact.end.kind, StageEnd::Kind::after);
-    EXPECT_EQ(impact.end.time, 2.);
+    EXPECT_FALSE(impact.end->fixed_time());
+    EXPECT_EQ(impact.end->expected({1., 0., 0.}), 3.);
     EXPECT_EQ(scene.numerics.hydro.courant, 0.5);
     EXPECT_EQ(scene.output.fields_interval, std::optional<double>(0.5));
   }
@@ -339,8 +341,10 @@ namespace
         {"= rate", "= fast", "Materials/aluminium/Void law", "fast", "none, equilibrium, p-alpha, rate"},
         {"= rate", "= none", "Materials/aluminium/Equation of state", "mie-grueneisen",
          "Alpha = 100000: no use to the models chosen"},
-        {"set Shape    = sphere", "set Shape    = ball", "Bodies/sphere/Shape", "ball", "sphere, plate, box"},
-        {"set Shape    = sphere", "", "Bodies/sphere/Shape", "", "must be given; allowed are sphere, plate, box"},
+        {"set Shape    = sphere", "set Shape    = ball", "Bodies/sphere/Shape", "ball",
+         "box, cone, cylinder, plate, polygon, sphere"},
+        {"set Shape    = sphere", "", "Bodies/sphere/Shape", "",
+         "must be given; allowed are box, cone, cylinder, plate, polygon, sphere"},
         {"set Diameter = 0.32 cm", "set Diametr = 0.32 cm", "Bodies/sphere/Diametr", "0.32 cm",
          "no such key; did you mean 'Diameter'?"},
         {"set Diameter = 0.32 cm", "set Diameter = 0.32 cm\n set Thickness = 1 cm", "Bodies/sphere/Thickness", "1 cm",

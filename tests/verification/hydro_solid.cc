@@ -108,16 +108,17 @@ namespace
     run(strip.step, strip.state, 0.6);
     const double elastic = strip.front(0.5 * 0.002957), plastic = strip.front(0.5 * (0.002957 + 0.01));
     run(strip.step, strip.state, 1.3);
-    const double         t = 1.3;
-    const MaterialState &m = strip.state.material[0];
+    const double         t        = 1.3;
+    const MaterialState &m        = strip.state.material[0];
+    const auto           pressure = evaluate(strip.step, strip.state).material[0].pressure;
     expect_within("elastic wave speed", (strip.front(0.5 * 0.002957) - elastic) / 0.7, 0.6520659744, 0.01);
     expect_within("plastic wave speed", (strip.front(0.5 * (0.002957 + 0.01)) - plastic) / 0.7, 0.5505528459, 0.01);
     const double from = 0.58 * t, to = 0.63 * t;
     expect_within("compression, elastic", strip.mean(m.density, from, to) - 2.79, 2.802710684 - 2.79, 0.01);
-    expect_within("pressure, elastic plateau", strip.mean(m.pressure, from, to), 0.003646612969, 0.01);
+    expect_within("pressure, elastic plateau", strip.mean(pressure, from, to), 0.003646612969, 0.01);
     expect_within("stress, elastic plateau", strip.mean(m.fields[0].value, from, to), -2. / 3. * 0.0026, 0.01);
     expect_within("compression, plastic", strip.mean(m.density, 0.1, 0.5 * t) - 2.79, 2.839226822 - 2.79, 0.01);
-    expect_within("pressure, plastic plateau", strip.mean(m.pressure, 0.1, 0.5 * t), 0.01445554964, 0.01);
+    expect_within("pressure, plastic plateau", strip.mean(pressure, 0.1, 0.5 * t), 0.01445554964, 0.01);
   }
 
   TEST(HydroSolid, SymmetricImpactAndRelease)
@@ -137,10 +138,11 @@ namespace
     run(strip.step, strip.state, 0.4);
     const double first = strip.front(0.5 * u);
     run(strip.step, strip.state, 0.8);
-    const MaterialState &m       = strip.state.material[0];
-    const double         contact = 1. + u * 0.8;
+    const MaterialState &m        = strip.state.material[0];
+    const auto           pressure = evaluate(strip.step, strip.state).material[0].pressure;
+    const double         contact  = 1. + u * 0.8;
     expect_within("shock speed", (strip.front(0.5 * u) - first) / 0.4, shock, 0.01);
-    expect_within("pressure", strip.mean(m.pressure, contact - 0.2, contact + 0.2), density * shock * u, 0.01);
+    expect_within("pressure", strip.mean(pressure, contact - 0.2, contact + 0.2), density * shock * u, 0.01);
     expect_within("density", strip.mean(m.density, contact - 0.2, contact + 0.2), density * shock / (shock - u), 0.01);
     // free-surface velocity after the shock has left the target at t = 1 / shock; 1.029 V along the exact isentrope
     run(strip.step, strip.state, 1.2);

@@ -58,12 +58,13 @@ namespace
 
     LagrangeStep<2> step(mesh, materials, boundaries, {});
     step.update_node_mass(state);
-    step.update_pressure(state);
-    const Index face = mesh.cell_node[4 * (mesh.n_cells - 1) + 1];
+    Derived     derived = evaluate(step, state);
+    const Index face    = mesh.cell_node[4 * (mesh.n_cells - 1) + 1];
     Pulled      pulled{0., 2. * pulse.peak, 0.};
     while (state.time < end)
       {
-        step.advance(state, step.time_step(state).dt);
+        step.advance(state, derived, step.time_step(state, derived).dt);
+        step.evaluate(state, derived);
         const double velocity = state.velocity[0][face];
         pulled.fastest        = std::max(pulled.fastest, velocity);
         if (state.time > (ahead + pulse.rise) / sound)

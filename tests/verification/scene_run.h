@@ -44,14 +44,15 @@ namespace whipple::verification
   inline std::vector<CellSample>
   samples(const Simulation<2> &simulation)
   {
-    const FlatMesh<2>      &mesh  = simulation.domain().view->mesh;
-    const State<2>         &state = simulation.domain().state;
-    const MaterialState    &m     = state.material[0];
+    const FlatMesh<2>      &mesh     = simulation.domain().view->mesh;
+    const State<2>         &state    = simulation.domain().state;
+    const MaterialState    &m        = state.material[0];
+    const auto             &pressure = simulation.domain().derived.material[0].pressure;
     std::vector<CellSample> result;
     for (Index c = 0; c < mesh.n_owned; ++c)
       if (m.mass[c] > 0)
         {
-          CellSample s{{0, 0}, state.volume[c], 0, m.mass[c] / state.volume[c], 0, m.pressure[c], m.pressure[c]};
+          CellSample s{{0, 0}, state.volume[c], 0, m.mass[c] / state.volume[c], 0, pressure[c], pressure[c]};
           if (state.index.stress_11 >= 0)
             s.stress -= m.fields[state.index.stress_11].value[c];
           for (int k = 0; k < 4; ++k)

@@ -6,6 +6,8 @@
 
 #include <whipple/material/material_library.h>
 #include <whipple/scene/body_volume.h>
+#include <whipple/scene/plate_shape.h>
+#include <whipple/scene/sphere_shape.h>
 
 #include <algorithm>
 

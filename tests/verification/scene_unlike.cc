@@ -48,8 +48,9 @@ namespace
         overrides.push_back("Output/Fields interval = none");
         const auto simulation =
             run("verification/unlike_impact.prm", overrides, std::string("unlike_") + pair.name + "_" + mode);
-        const FlatMesh<2> &mesh  = simulation->domain().view->mesh;
-        const State<2>    &state = simulation->domain().state;
+        const FlatMesh<2> &mesh    = simulation->domain().view->mesh;
+        const State<2>    &state   = simulation->domain().state;
+        const Derived     &derived = simulation->domain().derived;
         double             mass = 0, momentum = 0, volume = 0, load = 0;
         for (Index c = 0; c < mesh.n_owned; ++c)
           {
@@ -62,14 +63,15 @@ namespace
             // well behind both shocks
             if (std::abs(z - pair.velocity * end) > 0.1)
               continue;
-            for (const MaterialState &m : state.material)
-              if (m.mass[c] > 0)
+            for (std::size_t i = 0; i < state.material.size(); ++i)
+              if (const MaterialState &m = state.material[i]; m.mass[c] > 0)
                 {
-                  spike = std::max(spike, std::abs(m.pressure[c] / pair.pressure - 1.));
+                  const double pressure = derived.material[i].pressure[c];
+                  spike                 = std::max(spike, std::abs(pressure / pair.pressure - 1.));
                   mass += m.mass[c];
                   momentum += m.mass[c] * v;
                   volume += m.volume[c];
-                  load += m.volume[c] * m.pressure[c];
+                  load += m.volume[c] * pressure;
                 }
           }
         if (end < 0.5)

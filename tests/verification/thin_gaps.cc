@@ -81,25 +81,25 @@ namespace
       if (mass[n] > 0)
         state.velocity[0][n] /= mass[n];
     step.update_node_mass(state);
-    step.update_pressure(state);
+    Derived derived = evaluate(step, state);
 
     Impact     result;
     double     last = 0, last_time = 0;
     const auto pressure_of = [&](Index c) {
       double p = 0;
-      for (const MaterialState &m : state.material)
-        p += m.volume[c] / state.volume[c] * m.pressure[c];
+      for (std::size_t m = 0; m < state.material.size(); ++m)
+        p += state.material[m].volume[c] / state.volume[c] * derived.material[m].pressure[c];
       return p;
     };
     for (int steps = 0; end - state.time > 1e-12; ++steps)
       {
-        const double dt = std::min({step.time_step(state).dt, remap.time_step(state).dt, end - state.time});
-        step.advance(state, dt);
+        const double dt = std::min({step.time_step(state, derived).dt, remap.time_step(state).dt, end - state.time});
+        step.advance(state, derived, dt);
         remap.begin(state);
         for (int i = 0; i < 2; ++i)
           remap.sweep(state, (steps + i) % 2);
         remap.finish(state);
-        step.update_pressure(state);
+        step.evaluate(state, derived);
         for (Index c = 0; c < mesh.n_cells; ++c)
           result.peak = std::max(result.peak, pressure_of(c));
         if (result.closing == 0 && result.peak > 0.1 * pressure)

@@ -72,30 +72,30 @@ namespace
         return Vector<2>{{v[2], v[3]}};
       });
       step.update_node_mass(state);
-      step.update_pressure(state);
+      step.evaluate(state, derived);
     }
 
     double
-    time_step() const
+    time_step()
     {
-      const double motion = step.time_step(state).dt;
+      const double motion = step.time_step(state, derived).dt;
       return remap ? std::min(motion, remap->time_step(state).dt) : motion;
     }
 
     void
     advance(double dt)
     {
-      const auto report = step.advance(state, dt);
+      const auto report = step.advance(state, derived, dt);
       given += report.boundary_work;
       if (!remap)
-        return;
+        return step.evaluate(state, derived);
       remap->begin(state);
       for (int i = 0; i < 2; ++i)
         for (const auto &side : remap->sweep(state, (steps + i) % 2).side)
           given -= side.internal + side.kinetic;
       ++steps;
       remap->finish(state);
-      step.update_pressure(state);
+      step.evaluate(state, derived);
     }
 
     /// Normal stress along axis 0, as a pressure.
@@ -103,7 +103,7 @@ namespace
     stress(Index cell) const
     {
       const MaterialState &m = state.material[0];
-      return m.pressure[cell] - (m.fields.empty() ? 0. : m.fields[0].value[cell]);
+      return derived.material[0].pressure[cell] - (m.fields.empty() ? 0. : m.fields[0].value[cell]);
     }
 
     std::vector<Material>              materials;
@@ -112,6 +112,7 @@ namespace
     FlatMesh<2>                        mesh;
     State<2>                           state;
     LagrangeStep<2>                    step;
+    Derived                            derived;
     std::optional<DirectionalRemap<2>> remap;
     int                                steps = 0;
     double                             given = 0; ///< energy by the sides, Mbar cm^3
@@ -326,7 +327,7 @@ namespace
     for (Index c = 0; c < box.mesh.n_cells; ++c)
       fill(box.state, c, density, 0., 0, c % 3 == 0 ? 0.3 : c % 3 == 1 ? 1. : 0.7);
     box.step.update_node_mass(box.state);
-    box.step.update_pressure(box.state);
+    box.step.evaluate(box.state, box.derived);
     while (box.state.time < 0.8)
       {
         box.advance(box.time_step());

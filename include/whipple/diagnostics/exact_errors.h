@@ -4,6 +4,7 @@
 #include <whipple/exact/exact_solution.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/output/summary.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -29,5 +30,5 @@ namespace whipple
   template <int dim>
   std::map<std::string, summary::Error>
   exact_errors(const exact::ExactSolution<dim> &solution, const FlatMesh<dim> &mesh, const State<dim> &state,
-               MPI_Comm communicator);
+               const Derived &derived, MPI_Comm communicator);
 } // namespace whipple

@@ -3,7 +3,7 @@
 
 #include <whipple/diagnostics/plate_image.h>
 #include <whipple/mesh/index.h>
-#include <whipple/scene/shape.h>
+#include <whipple/scene/plate_shape.h>
 
 #include <algorithm>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <whipple/hydro/time_step.h>
 #include <whipple/material/material.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <functional>
@@ -52,11 +53,12 @@ namespace whipple
   public:
     virtual ~EffectPass() = default;
 
-    /// @param state  at the end of the Lagrange step; pressures up to date. The pass changes it in place.
+    /// @param state  at the end of the Lagrange step; the pass changes it in place
+    /// @param derived pressures and sound speeds of this state
     /// @param before what the step started from: volumes, densities, energies, stresses, plastic strains
     /// @param dt     us
     virtual void
-    advance(State<dim> &state, const StepWork<dim> &before, double dt) = 0;
+    advance(State<dim> &state, const Derived &derived, const StepWork<dim> &before, double dt) = 0;
 
     /// True if it changes energies: pressures are evaluated anew then.
     virtual bool

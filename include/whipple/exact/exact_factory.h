@@ -5,6 +5,7 @@
 #include <whipple/material/material_factory.h>
 #include <whipple/mesh/boundary.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,15 +16,16 @@ namespace whipple::exact
   template <int dim>
   struct BodyState
   {
-    std::string     name;
-    Material        material;
-    MaterialRequest constants;        ///< of the material, those of the library filled in
-    Vector<dim>     lower{}, upper{}; ///< bounding box, cm
-    bool            round = false;    ///< the ball in that box, not all of it
-    Vector<dim>     velocity{};       ///< cm/us
-    double          density = 0;      ///< g/cm^3
-    double          energy  = 0;      ///< Mbar cm^3/g
-    double          deposit = 0;      ///< energy deposited, Mbar cm^3
+    std::string                              name;
+    Material                                 material;
+    MaterialRequest                          constants;        ///< of the material, those of the library filled in
+    Vector<dim>                              lower{}, upper{}; ///< bounding box, cm
+    bool                                     round = false;    ///< the ball in that box, not all of it
+    std::function<bool(const Vector<dim> &)> inside; ///< whether a point is in it; empty: it is the box, or the ball
+    Vector<dim>                              velocity{};  ///< cm/us
+    double                                   density = 0; ///< g/cm^3
+    double                                   energy  = 0; ///< Mbar cm^3/g
+    double                                   deposit = 0; ///< energy deposited, Mbar cm^3
   };
 
   /// What a scene says about its exact solution.
@@ -56,6 +58,7 @@ namespace whipple::exact
     std::string                name;        ///< "noh"
     std::string                description; ///< one line: the problem, what it takes from the scene, source
     std::vector<ExactConstant> constants;
+    bool                       any_shape = false; ///< of bodies; else boxes and balls
   };
 
   /// All exact solutions of the library.

@@ -3,13 +3,16 @@
 
 #include <whipple/exact/exact_factory.h>
 
+#include <functional>
+
 namespace whipple::exact
 {
-  /// Where a body is: all of a box, or the ball in it.
+  /// Where a body is: all of a box, the ball in it, or what a function says.
   struct Outline
   {
-    Vector<2> lower{}, upper{}; ///< cm
-    bool      round = false;
+    Vector<2>                              lower{}, upper{}; ///< cm
+    bool                                   round = false;
+    std::function<bool(const Vector<2> &)> inside; ///< of another shape; else empty
 
     bool
     contains(const Vector<2> &x) const;

@@ -4,6 +4,7 @@
 #include <whipple/hydro/hydro_parameters.h>
 #include <whipple/hydro/step_work.h>
 #include <whipple/material/material.h>
+#include <whipple/state/derived.h>
 
 #include <vector>
 
@@ -25,27 +26,27 @@ namespace whipple::cell_kernels
   void
   stretch_rates(const FlatMesh<dim> &mesh, const State<dim> &state, StepWork<dim> &work);
 
-  /// work.strain_rate = sqrt(2/3 D':D') of the deviatoric rate of deformation D' at the positions and velocities of the
-  /// state, 1/us.
+  /// sqrt(2/3 D':D') of the deviatoric rate of deformation D' at the positions and velocities of the state, 1/us, of
+  /// every cell.
   template <int dim>
   void
-  strain_rates(const FlatMesh<dim> &mesh, const State<dim> &state, StepWork<dim> &work);
+  strain_rates(const FlatMesh<dim> &mesh, const State<dim> &state, std::vector<double> &rate);
 
   /// work.corner_force, work.half_step and half-step pressures from positions and stresses at half step.
   template <int dim>
   void
-  corner_forces(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
-                StepWork<dim> &work);
+  corner_forces(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                const HydroParameters &parameters, double dt, StepWork<dim> &work);
 
   /// The same with one kind of viscosity, whatever the parameters say.
   template <int dim>
   void
-  corner_forces_scalar(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
-                       StepWork<dim> &work);
+  corner_forces_scalar(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                       const HydroParameters &parameters, double dt, StepWork<dim> &work);
   template <int dim>
   void
-  corner_forces_tensor(const FlatMesh<dim> &mesh, const State<dim> &state, const HydroParameters &parameters, double dt,
-                       StepWork<dim> &work);
+  corner_forces_tensor(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                       const HydroParameters &parameters, double dt, StepWork<dim> &work);
 
   /// Kinetic energy that work.viscous_force turns into heat in owned cells, Mbar cm^3.
   template <int dim>
@@ -57,5 +58,6 @@ namespace whipple::cell_kernels
   /// @throws StateError if the volume of an owned cell or of a material in it would not stay positive.
   template <int dim>
   Dissipation
-  update_cells(const FlatMesh<dim> &mesh, const State<dim> &state, double dt, StepWork<dim> &work);
+  update_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, double dt,
+               StepWork<dim> &work);
 } // namespace whipple::cell_kernels

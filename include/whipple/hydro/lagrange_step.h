@@ -9,6 +9,7 @@
 #include <whipple/material/material.h>
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <span>
@@ -41,8 +42,9 @@ namespace whipple
   /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
   /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
   ///
-  /// One object belongs to one mesh; it owns all work arrays, so a step allocates nothing. All methods run over
-  /// owned and halo cells; only owned cells are reported and can throw.
+  /// One object belongs to one mesh; it owns all work arrays, so a step allocates nothing. What a method does depends
+  /// on its arguments alone, never on what was called before. All methods run over owned and halo cells; only owned
+  /// cells are reported and can throw.
   template <int dim>
   class LagrangeStep
   {
@@ -55,25 +57,33 @@ namespace whipple
     void
     update_node_mass(State<dim> &state) const;
 
-    /// Bulk pressure (1 - phi) P_s(gamma, e), Mbar, and frozen sound speed, cm/us, of every material in
-    /// every cell (0 where there is no mass). Where the equation of state gives c^2 < 0 the speed is 0.
+    /// All that follows from a state, in every cell: pressures, sound speeds, shear moduli, yield stresses, and strain
+    /// rates if a strength model asks for them. Nothing is allocated but in the first call for a Derived.
+    /// @throws StateError if a material has strength but the state lacks its fields.
     void
-    update_pressure(State<dim> &state) const;
+    evaluate(const State<dim> &state, Derived &derived);
+
+    /// The parts of evaluate(): pressures and sound speeds alone; then, from those of the same state, the rest.
+    void
+    evaluate_pressure(const State<dim> &state, Derived &derived);
+    void
+    evaluate_strength(const State<dim> &state, Derived &derived);
 
     /// The largest time step that the owned cells allow, but for those that keep their shape.
+    /// @param derived of this state
     TimeStepLimit
-    time_step(const State<dim> &state, std::span<const Index> exempt = {}) const;
+    time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt = {});
 
     /// find_slivers()
     std::vector<Index>
-    slivers(const State<dim> &state, double bound) const;
+    slivers(const State<dim> &state, const Derived &derived, double bound) const;
 
-    /// Move the state by dt [us]. Needs node_mass, pressure and sound_speed up to date; leaves pressure and
-    /// sound_speed up to date. Strong guarantee: when it throws, the state is as before.
+    /// Move the state by dt [us]. Strong guarantee: when it throws, the state is as before.
+    /// @param derived of the state before the step
     /// @param rigid elements that keep their shape
     /// @throws StateError if the volume of an owned cell or of a material in it would not stay positive.
     LagrangeReport<dim>
-    advance(State<dim> &state, double dt, std::span<const RigidFragment<dim>> rigid = {});
+    advance(State<dim> &state, const Derived &derived, double dt, std::span<const RigidFragment<dim>> rigid = {});
 
     /// What the last advance() started from, where it has successors: volumes, densities, energies, stresses and
     /// plastic strains of the materials, positions and velocities of the nodes.
@@ -84,11 +94,6 @@ namespace whipple
     }
 
   private:
-    /// Shear modulus and yield stress of every material with strength into work_, once for every state: time_step() and
-    /// advance() both need them.
-    void
-    evaluate_strength(const State<dim> &state) const;
-
     /// Swap the next values into the state.
     void
     commit(State<dim> &state, double dt);
@@ -97,9 +102,8 @@ namespace whipple
     const std::vector<Material> &materials_;
     HydroParameters              parameters_;
     NodeMotion<dim>              motion_;
-    mutable StepWork<dim>        work_;
-
-    mutable material_passes::Scratch scratch_;
-    mutable bool                     strength_is_current_ = false; ///< strength evaluated since update_pressure()
+    StepWork<dim>                work_;
+    material_passes::Scratch     scratch_;
+    bool                         needs_strain_rate_; ///< a strength model does
   };
 } // namespace whipple

@@ -3,6 +3,7 @@
 
 #include <whipple/hydro/step_work.h>
 #include <whipple/material/material.h>
+#include <whipple/state/derived.h>
 
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace whipple::material_passes
   /// Arrays that the passes of one mesh share.
   struct Scratch
   {
-    std::vector<double> true_density;  ///< gamma handed to the models, g/cm^3
-    std::vector<double> soundness;     ///< share of the spall strength that is left; empty unless something lowers it
-    std::vector<double> melt_fraction; ///< empty unless a material melts
+    std::vector<double> true_density;   ///< gamma handed to the models, g/cm^3
+    std::vector<double> solid_pressure; ///< P_s, Mbar; empty unless a strength model asks for it
+    std::vector<double> soundness;      ///< share of the spall strength that is left; empty unless something lowers it
+    std::vector<double> melt_fraction;  ///< empty unless a material melts
   };
 
   Scratch
@@ -25,15 +27,17 @@ namespace whipple::material_passes
   /// where there is none, or a trace). Where the equation of state gives c^2 < 0 the speed is 0.
   template <int dim>
   void
-  evaluate_pressure(const std::vector<Material> &materials, State<dim> &state, Scratch &scratch);
+  evaluate_pressure(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch,
+                    Derived &derived);
 
-  /// Shear modulus and yield stress of every material with strength into work; the yield stress of damaged material is
-  /// scaled with 1 - D. work.strain_rate must be up to date if a model asks for it.
+  /// Shear modulus and yield stress of every material with strength; the yield stress of damaged material is scaled
+  /// with what damage leaves. In: derived.pressure and, where a model asks for it, derived.strain_rate of the same
+  /// state.
   /// @throws StateError if the state lacks the fields of strength.
   template <int dim>
   void
   evaluate_strength(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch,
-                    StepWork<dim> &work);
+                    Derived &derived);
 
   /// Next void fractions from next densities and energies of every material with a void law. What is damaged or molten
   /// opens under less tension: the spall strength is scaled with (1 - D) (1 - melt fraction).

@@ -59,7 +59,7 @@ namespace whipple
     /// carries no stress leaves freely. Where the side keeps the ambient stress: all of it, and that stress.
     /// Needs work.corner_force.
     void
-    load_sides(const State<dim> &state, double dt, const StepWork<dim> &work);
+    load_sides(const State<dim> &state, const Derived &derived, double dt, const StepWork<dim> &work);
 
     /// Sum corner forces over nodes (hanging nodes hand theirs to their masters), accelerate, apply the sides,
     /// move: work.velocity, work.mean_velocity, work.position.
@@ -93,7 +93,8 @@ namespace whipple
     Edge
     edge(const LoadedFace &face, const StepWork<dim> &work) const;
     void
-    absorb(const LoadedFace &face, const State<dim> &state, double dt, const StepWork<dim> &work);
+    absorb(const LoadedFace &face, const State<dim> &state, const Derived &derived, double dt,
+           const StepWork<dim> &work);
     void
     press(const LoadedFace &face, double pressure, const State<dim> &state, const StepWork<dim> &work);
     /// Velocities of the nodes of loaded faces; leaves the force of the sides in traction_.

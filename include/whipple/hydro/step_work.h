@@ -23,13 +23,10 @@ namespace whipple
     std::array<Pack, 2>    hourglass_shape; ///< sum_k (-1)^k x_k, cm: how far the cell is from a parallelogram
   };
 
-  /// Next values of one material, and what its models returned at the start of the step.
+  /// Next values of one material, and what the step knows of its models.
   struct MaterialWork
   {
-    std::vector<double>                shear_modulus;  ///< G, Mbar; empty without strength
-    std::vector<double>                yield_stress;   ///< Y, Mbar; empty without strength
-    std::vector<double>                solid_pressure; ///< P_s, Mbar; empty unless the strength model asks for it
-    std::vector<double>                half_pressure;  ///< P at half step, Mbar; empty if there is one material
+    std::vector<double>                half_pressure; ///< P at half step, Mbar; empty if there is one material
     std::vector<double>                volume, density, energy;
     std::vector<double>                void_fraction;      ///< empty without void law
     double                             yielding       = 0; ///< VoidLaw::yielding(), us cm^4/g^2; finite
@@ -60,11 +57,9 @@ namespace whipple
     std::array<std::vector<double>, dim> stretch_rate; ///< [n_cells + 1] along the logical axes, 1/us
     std::vector<Neighbours>              neighbours;   ///< [n_cells]; empty if no cell has any
     std::vector<double>                  mass;         ///< [n_cells] all materials, g; 0 where all are traces
-    std::vector<double> strain_rate; ///< [n_cells] equivalent rate of the deviatoric motion, 1/us; empty unless a
-                                     ///< strength model asks for it
-    std::vector<double>       corner_force; ///< [(n_cells * corners + k) * dim + axis] Mbar cm^2
-    std::vector<double>       volume;       ///< [n_cells] next
-    std::vector<HalfStepPack> half_step;    ///< [pack_count(n_cells)]
+    std::vector<double>                  corner_force; ///< [(n_cells * corners + k) * dim + axis] Mbar cm^2
+    std::vector<double>                  volume;       ///< [n_cells] next
+    std::vector<HalfStepPack>            half_step;    ///< [pack_count(n_cells)]
 
     /// [pack_count(n_cells)] forces of the artificial viscosity on the corners, Mbar cm^2; empty where it is scalar
     std::vector<geometry::QuadOf<Pack>> viscous_force;

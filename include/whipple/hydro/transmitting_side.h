@@ -4,6 +4,7 @@
 #include <whipple/hydro/step_work.h>
 #include <whipple/material/material.h>
 #include <whipple/mesh/boundary.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 namespace whipple
@@ -52,6 +53,6 @@ namespace whipple
   /// The wave that leaves a cell through a side, the materials weighted with their shares of the cell.
   template <int dim>
   OutgoingWave
-  outgoing_wave(const SideContact &at, const std::vector<BeyondSide> &beyond, const State<dim> &state, double dt,
-                const StepWork<dim> &work);
+  outgoing_wave(const SideContact &at, const std::vector<BeyondSide> &beyond, const State<dim> &state,
+                const Derived &derived, double dt, const StepWork<dim> &work);
 } // namespace whipple

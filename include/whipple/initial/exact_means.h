@@ -18,7 +18,8 @@ namespace whipple
 
   /// Points that integrate an exact solution over a straight-edged cell. Where it is smooth there, Gauss' rule with
   /// 4 x 4 points. Where breaks of a profile pass through, 16 lines across them, each cut at the breaks, with Gauss'
-  /// rule on every piece. Where a solution that is no profile has material at some corners only, 16 x 16 midpoints.
+  /// rule on every piece. Where a solution that is no profile has material at some corners only, 16 x 16 midpoints;
+  /// where it looks like jumping otherwise, Gauss' rule on quarters of quarters, down to a 16th of the cell's edge.
   template <int dim>
   std::vector<VolumePoint<dim>>
   volume_points(const exact::ExactSolution<dim> &solution, Symmetry symmetry, const geometry::Quad &cell, double time);

@@ -33,15 +33,17 @@ namespace whipple
     return {{0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]), 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3])}};
   }
 
-  /// Fills the cells of bodies with the exact solution of a scene: mean density and energy over the cell (where the
-  /// solution has material; of a cell that the body cuts, that of the whole cell), and the velocity of the solution at
-  /// the nodes, so that smooth flows start with errors of second order. Hanging nodes follow their masters.
+  /// Fills the cells of bodies with an exact solution, that of a scene or the expressions of a body: mean density and
+  /// energy over the cell (where the solution has material; of a cell that the body cuts, that of the whole cell), and
+  /// the velocity of the solution at the nodes, so that smooth flows start with errors of second order. Hanging nodes
+  /// follow their masters.
   template <int dim>
   class ExactFilling
   {
   public:
     /// @param state positions and volumes of the mesh at the time of the filling
-    ExactFilling(const Scene<dim> &scene, const FlatMesh<dim> &mesh, const State<dim> &state);
+    ExactFilling(const exact::ExactSolution<dim> &solution, const Scene<dim> &scene, const FlatMesh<dim> &mesh,
+                 const State<dim> &state);
 
     /// @throws StateError where the solution gives no density, velocity, or neither energy nor pressure
     CellFilling<dim>
@@ -54,8 +56,9 @@ namespace whipple
                        CornerVelocities<dim> &corners) const;
 
   private:
-    const Scene<dim>        &scene_;
-    const FlatMesh<dim>     &mesh_;
-    std::vector<Vector<dim>> node_velocity_;
+    const exact::ExactSolution<dim> &solution_;
+    const Scene<dim>                &scene_;
+    const FlatMesh<dim>             &mesh_;
+    std::vector<Vector<dim>>         node_velocity_;
   };
 } // namespace whipple

@@ -41,14 +41,14 @@ namespace whipple
   {
   public:
     /// @param material_names one a material of the states to come, as they shall appear in field names.
-    /// @param derived        what else to show; may be empty
+    /// @param extra          what else to show; may be empty
     FieldOutput(std::string directory, std::vector<std::string> material_names, FieldOutputOptions options,
-                MPI_Comm communicator, DerivedFields<dim> derived = {});
+                MPI_Comm communicator, ExtraFields<dim> extra = {});
 
     /// Write owned cells of the state at state.time under the name of its stage, and the series. Collective.
     /// Nothing is written where no rank has a cell to show.
     void
-    write(const FlatMesh<dim> &mesh, const State<dim> &state, std::string_view stage);
+    write(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, std::string_view stage);
 
     /// Number of times written so far.
     int
@@ -75,7 +75,7 @@ namespace whipple
     std::vector<std::string> material_names_;
     FieldOutputOptions       options_;
     MPI_Comm                 communicator_;
-    DerivedFields<dim>       derived_;
+    ExtraFields<dim>         extra_;
     FieldSeries              series_;
   };
 
@@ -85,6 +85,6 @@ namespace whipple
   template <int dim>
   void
   write_last_good_state(const std::string &directory, const FlatMesh<dim> &mesh, const State<dim> &state,
-                        const std::vector<std::string> &material_names, std::string_view stage, std::string_view reason,
-                        MPI_Comm communicator);
+                        const Derived &derived, const std::vector<std::string> &material_names, std::string_view stage,
+                        std::string_view reason, MPI_Comm communicator);
 } // namespace whipple

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <functional>
@@ -44,7 +45,7 @@ namespace whipple
 
   /// Fields of chosen cells that are functions of the state (temperature ...), for those who know the materials.
   template <int dim>
-  using DerivedFields = std::function<std::vector<CellField>(const State<dim> &, const std::vector<Index> &cells)>;
+  using ExtraFields = std::function<std::vector<CellField>(const State<dim> &, const std::vector<Index> &cells)>;
 
   /// Which cells a snapshot shows and how much of them.
   struct SnapshotOptions
@@ -58,9 +59,10 @@ namespace whipple
   /// (volume weighted; open void counts 0), solid fraction (volume without pores and open void / cell volume),
   /// level, rank. Of each material m, named `material_names[m] + " ..."`: volume fraction, density (bulk), true
   /// density rho / (1 - phi), pressure, energy, void fraction where it has one, and every registered field; then what
-  /// `derived` (may be empty) makes of the state.
+  /// `extra` (may be empty) makes of the state.
   template <int dim>
   Snapshot<dim>
-  take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<std::string> &material_names,
-                const DerivedFields<dim> &derived, const SnapshotOptions &options);
+  take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                const std::vector<std::string> &material_names, const ExtraFields<dim> &extra,
+                const SnapshotOptions &options);
 } // namespace whipple

@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/scene/scene.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -36,7 +37,7 @@ namespace whipple
     /// Level that each owned cell needs, -1 without material. Collective: what counts as smooth is measured against
     /// the largest values of all ranks.
     std::vector<int>
-    of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator) const;
+    of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, MPI_Comm communicator) const;
 
     /// Level of a leaf where the contents have no say: Refinement::uniform and Refinement::region.
     std::uint8_t
@@ -46,7 +47,7 @@ namespace whipple
     /// Whether nothing has reached a cell yet: solid without pores, at rest and free of stress. Its state is uniform
     /// and its interface plane, so coarse cells hold it as well as fine ones.
     bool
-    is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell) const;
+    is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, Index cell) const;
 
     const Scene<dim> &scene_;
     int               quiet_levels_; ///< that undisturbed material gives up

@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -18,6 +19,6 @@ namespace whipple
   /// side lies the mirror image. Collective; one valid layer of halo is read.
   template <int dim>
   std::vector<double>
-  change_over_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Boundaries<dim> &boundaries,
-                    MPI_Comm communicator);
+  change_over_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                    const Boundaries<dim> &boundaries, MPI_Comm communicator);
 } // namespace whipple

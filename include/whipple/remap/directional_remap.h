@@ -29,7 +29,7 @@ namespace whipple
   ///
   /// with the first axis alternating from step to step. A sweep leaves the owned cells and their nodes right when
   /// the halo is `halo_layers` wide; what is to be exchanged after it: material volume, mass, density, energy, phi
-  /// and fields, node velocity and node mass (cell volumes need none). Pressure and sound speed are left stale.
+  /// and fields, node velocity and node mass (cell volumes need none).
   ///
   /// Corner weights are shares of the cell's mass (sum 1 in every cell) and belong to the undeformed mesh. Nodes that
   /// hold no mass leave with velocity 0. Rebuild after every regrid (the mesh is referred to, not copied).

@@ -30,6 +30,7 @@ namespace whipple
     write(LastGood<dim> &last_good, Reporter<dim> &reporter);
 
   private:
+    std::string          directory_; ///< of the run
     CheckpointStore<dim> store_;
     Interruption         interruption_;
     const RunClock      &clock_;

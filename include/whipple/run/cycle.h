@@ -33,9 +33,15 @@ namespace whipple
     Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
           const Halo<dim> &halo);
 
-    /// Fill what is derived from the carried state (after a regrid or projection): node masses, pressures.
+    /// Node masses of a state whose cells or nodes are new (after a regrid or projection), and all that follows from
+    /// it.
     void
-    refresh(State<dim> &state) const;
+    refresh(State<dim> &state, Derived &derived);
+
+    /// All that follows from a state. Node masses are carried: the remap moves them together with the momenta, and the
+    /// sum over the cells is another in the last bits.
+    void
+    evaluate(const State<dim> &state, Derived &derived);
 
     /// What it was made for.
     const FlatMesh<dim> *
@@ -44,25 +50,35 @@ namespace whipple
       return &mesh_;
     }
 
-    /// @param exempt owned elements, ascending, that keep their shape
+    /// @param derived of this state
+    /// @param exempt  owned elements, ascending, that keep their shape
+    /// @throws StateError on all ranks
     AgreedTimeStep
-    time_step(const State<dim> &state, std::span<const Index> exempt) const;
+    time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt);
 
     /// Owned elements that would limit the step to less than `bound` [us] because they are slivers.
     std::vector<Index>
-    slivers(const State<dim> &state, double bound) const;
+    slivers(const State<dim> &state, const Derived &derived, double bound) const;
 
     /// Advance by dt and enter into the ledger what left and what was converted.
+    /// @param derived of the state; afterwards of the new one
     /// @param sweep_first axis of the first sweep of the remap; alternate it.
     /// @param rigid owned elements that keep their shape
-    /// @throws StateError on all ranks; the state is then of no further use.
+    /// @throws StateError on all ranks, also what a pass of an effect throws on one of them; state and derived are then
+    /// of no further use.
     void
-    advance(State<dim> &state, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
+    advance(State<dim> &state, Derived &derived, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
             Ledger<dim> &ledger);
 
   private:
+    /// The passes of the effects, each with pressures of the state it gets; they are those of the state afterwards.
+    void
+    run_passes(State<dim> &state, Derived &derived, double dt);
     void
     exchange(State<dim> &state) const;
+    /// Pressures and sound speeds in the halo: where those of the owned cells need no second evaluation.
+    void
+    exchange_pressures(Derived &derived) const;
     void
     book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const;
 

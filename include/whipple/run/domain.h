@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/forest.h>
 #include <whipple/problem/field_layout.h>
+#include <whipple/state/derived.h>
 #include <whipple/state/packet_layout.h>
 #include <whipple/state/velocity_gather.h>
 
@@ -19,6 +20,7 @@ namespace whipple
     Forest<dim>                               forest;
     std::shared_ptr<const FlatPartition<dim>> view;
     State<dim>                                state;
+    Derived derived{}; ///< of this state whenever a step begins or ends; of none while it is handed over
 
     MPI_Comm
     communicator() const

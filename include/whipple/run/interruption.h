@@ -19,8 +19,8 @@ namespace whipple
     using StateError::StateError;
   };
 
-  /// Notices that a run shall write a checkpoint or stop: signals (SIGTERM and SIGINT stop, SIGUSR1 only asks for a
-  /// checkpoint; the second SIGTERM or SIGINT ends the program at once) and the wall clock. Signals of one rank count
+  /// Notices that a run shall write a checkpoint or stop: signals (SIGTERM, SIGINT and SIGUSR2 stop, SIGUSR1 only asks
+  /// for a checkpoint; the second that stops ends the program at once) and the wall clock. Signals of one rank count
   /// for all. While an object lives, it handles these signals.
   class Interruption
   {
@@ -52,7 +52,7 @@ namespace whipple
     written();
 
   private:
-    std::array<struct sigaction, 3> before_; ///< what was done about the signals
+    std::array<struct sigaction, 4> before_; ///< what was done about the signals
 
     std::optional<double> interval_;
     std::optional<double> time_limit_;

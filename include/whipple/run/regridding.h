@@ -39,11 +39,11 @@ namespace whipple
       double spare  = 0;    ///< part of the active cells that a mesh no finer than needed would save
     };
 
-    /// Collective. A regrid costs as much as dozens of steps; this costs less than one.
+    /// Reads domain.derived. Collective. A regrid costs as much as dozens of steps; this costs less than one.
     Fit
     fit(const Domain<dim> &domain) const;
 
-    /// Follow the material: refine, coarsen and repartition with all contents, flatten anew.
+    /// Follow the material: refine, coarsen and repartition with all contents, flatten anew. Reads domain.derived.
     /// @param entering bodies about to be painted, for which the mesh is prepared as well
     /// @returns what the averaging of velocities lost and the walls took, all ranks
     GatherReport<dim>

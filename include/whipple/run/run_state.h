@@ -18,7 +18,6 @@ namespace whipple
   struct StageProgress
   {
     bool   begun          = false; ///< the hand-over into the stage is done
-    double end_time       = 0;     ///< us; of stages that end at a time
     double last_time_step = 0;     ///< us, not cut short by the end of the stage; 0 before the first step
 
     double ceiling      = std::numeric_limits<double>::infinity();  ///< us, largest step while a failure is retried
@@ -28,6 +27,7 @@ namespace whipple
     long   since_regrid       = 0;  ///< steps since the mesh or its bonds were last looked at
     double spare_after_regrid = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
 
+    std::vector<double>  memory_of_end; ///< what the stage's end remembers (StageEnd::time_left)
     std::vector<CellKey> locked; ///< elements of all ranks that keep their shape: a step has folded them, or slivers
     std::size_t          locked_noted = 0; ///< of them, from the first on, those in the ledger
     TimeStepHistory      history;

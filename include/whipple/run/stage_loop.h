@@ -37,10 +37,10 @@ namespace whipple
   private:
     void
     begin();
-    /// Build what belongs to the mesh and its bonds.
+    /// Build what belongs to the mesh and its bonds, of a run that goes on with it.
     void
     use_mesh();
-    /// The same for a mesh that the run has just got.
+    /// The same of a mesh that the run has just got.
     void
     new_mesh();
     void
@@ -50,14 +50,16 @@ namespace whipple
     advance(double left);
     void
     step(double left);
-    /// @returns the fragments that keep their shape in the step ahead
-    std::vector<RigidFragment<dim>>
-    release();
+    /// Stop fragments that are about to fold from deforming. @returns whether any rank has changed the state
+    /// @param rigid out: those that keep their shape in the step ahead
+    bool
+    release(std::vector<RigidFragment<dim>> &rigid);
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
     bonds_break();
-    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh.
-    void
+    /// Take elements that are about to fold, or did in the step that was undone, out of the mesh. @returns whether
+    /// there were any; the mesh is new then
+    bool
     free_folding();
     /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
     /// mesh that folds is left to itself.
@@ -87,6 +89,10 @@ namespace whipple
     regrid_is_due();
     bool
     guard_touched() const;
+    /// The largest stable time step of the state as it is, into limit_.
+    void
+    find_limit();
+    /// The time step to make, from limit_.
     double
     choose_time_step(double left);
     double

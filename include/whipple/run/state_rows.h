@@ -10,7 +10,7 @@ namespace whipple
 {
   /// A state as a table: a row an owned cell, in the order of the cells, a column a carried number. The rows of all
   /// ranks one after the other are the same for every number of ranks, so that a state can move to another partition of
-  /// the same mesh. What can be worked out again (pressure, sound speed, node masses) is left out.
+  /// the same mesh. What can be worked out again (pressure, sound speed) is left out.
   struct StateRows
   {
     std::size_t         columns = 0;

@@ -11,6 +11,7 @@
 #include <whipple/projection/to_eulerian.h>
 #include <whipple/scene/prm_statements.h>
 #include <whipple/scene/shape.h>
+#include <whipple/scene/stage_end.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <cstddef>
@@ -45,8 +46,9 @@ namespace whipple
   /// What a body is filled with when it enters.
   enum class InitialState
   {
-    uniform, ///< one density, energy and velocity
-    exact    ///< those of the scene's exact solution at that time
+    uniform,    ///< one density, energy and velocity
+    exact,      ///< those of the scene's exact solution at that time
+    expressions ///< functions of the coordinates, Body::field
   };
 
   /// A body as it enters the scene, without void and stress.
@@ -57,10 +59,20 @@ namespace whipple
     Shape<dim>                        shape;
     std::size_t                       material      = 0; ///< index into Scene::materials
     InitialState                      initial_state = InitialState::uniform;
-    Vector<dim>                       velocity{};  ///< cm/us
-    double                            density = 0; ///< g/cm^3; not exact: the material's at rest
-    double                            energy  = 0; ///< specific internal energy, Mbar cm^3/g
+    Vector<dim>                       velocity{};  ///< cm/us; expressions: the mean by mass
+    double                            density = 0; ///< g/cm^3; exact: the material's at rest; expressions: the mean
+    double                            energy  = 0; ///< specific internal energy, Mbar cm^3/g; expressions: the mean
     std::optional<EnergyDeposit<dim>> deposit;
+
+    /// Density, energy and velocity where expressions give them; else null.
+    std::shared_ptr<const exact::ExactSolution<dim>> field;
+
+    /// Whether it has one state: density, energy and velocity above.
+    bool
+    is_uniform() const
+    {
+      return initial_state == InitialState::uniform;
+    }
   };
 
   /// What moves the mesh of a stage.
@@ -68,20 +80,6 @@ namespace whipple
   {
     eulerian,  ///< fixed mesh: Lagrange step, then remap
     lagrangian ///< the mesh moves with the material: no remap
-  };
-
-  /// What ends a stage.
-  struct StageEnd
-  {
-    enum class Kind
-    {
-      at_time,     ///< at `time` since the start of the run
-      after,       ///< `time` after the start of the stage
-      leading_edge ///< when the leading edge reaches the front face of `body`
-    };
-    Kind        kind = Kind::at_time;
-    double      time = 0; ///< us
-    std::size_t body = 0; ///< index into Scene::bodies; no earlier stage introduces it
   };
 
   /// What a Lagrangian stage takes over from the Eulerian stage before it; the rest is dropped and booked.
@@ -98,7 +96,7 @@ namespace whipple
     std::string              name;
     StageMode                mode = StageMode::eulerian;
     std::vector<std::size_t> introduces; ///< indices of bodies that enter at its start
-    StageEnd                 end;
+    std::shared_ptr<const StageEnd> end;
     double                   max_time_step       = std::numeric_limits<double>::infinity(); ///< us
     KineticLoss              lost_kinetic_energy = KineticLoss::heat;                       ///< by remap and projection
 

@@ -13,10 +13,10 @@
 /// is the double nearest to 0.658.
 namespace whipple::units
 {
-  /// Exponents of length, mass, time and temperature.
+  /// Exponents of length, mass, time, temperature and angle.
   struct Dimension
   {
-    int length = 0, mass = 0, time = 0, temperature = 0;
+    int length = 0, mass = 0, time = 0, temperature = 0, angle = 0;
 
     bool
     operator==(const Dimension &) const = default;
@@ -47,6 +47,7 @@ namespace whipple::units
   inline constexpr Quantity inverse_pressure{"inverse pressure", {1, -1, 2, 0}, "Mbar^-1", "6.52 Mbar^-1"};
   inline constexpr Quantity inverse_temperature{"inverse temperature", {0, 0, 0, -1}, "K^-1", "6.16e-4 K^-1"};
   inline constexpr Quantity rate{"rate", {0, 0, -1, 0}, "us^-1", "1 s^-1"};
+  inline constexpr Quantity angle{"angle", {0, 0, 0, 0, 1}, "deg", "30 deg"};
   inline constexpr Quantity surface_energy{"energy per area", {0, 1, -2, 0}, "Mbar cm", "20 kJ/m^2"};
 
   /// The quantity of that name ("velocity"), null if there is none.

@@ -42,8 +42,6 @@ namespace whipple
     std::vector<double> density;               ///< bulk density rho = mass / volume, g/cm^3
     std::vector<double> energy;                ///< specific internal energy e, Mbar cm^3/g
     std::vector<double> void_fraction;         ///< phi; EMPTY vector when the material has no void law (phi = 0)
-    std::vector<double> pressure;              ///< bulk P = (1 - phi) P_s, Mbar
-    std::vector<double> sound_speed;           ///< frozen (phi fixed) bulk sound speed, cm/us
     std::vector<Field>  fields;                ///< what effects registered; the same list in every material
     bool                carries_voids = false; ///< has a void law: a rank without cells cannot tell by the vector
 
@@ -66,7 +64,9 @@ namespace whipple
     int damage         = -1;
   };
 
-  /// The whole moving state of one rank on a FlatMesh.
+  /// The whole moving state of one rank on a FlatMesh. What can be computed from it is Derived. Node masses are not:
+  /// a Lagrangian step leaves them alone, a remap moves them with the momentum, and in neither case are they to the
+  /// last bit what the masses of the cells add up to.
   template <int dim>
   struct State
   {

@@ -64,6 +64,10 @@ namespace whipple
   std::optional<PointRecord>
   find_record(const std::string &directory, const StudyPoint &point, bool any_version);
 
+  /// Whether a run of this point was ended before it was complete and left checkpoints to go on from.
+  bool
+  can_go_on(const std::string &directory, const StudyPoint &point);
+
   /// One record of a point that was run several times: the first that did not complete, else the first, with the median
   /// of the times. @pre every repeat is there
   PointRecord

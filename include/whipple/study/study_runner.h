@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/study/child_run.h>
 #include <whipple/study/cost_law.h>
 #include <whipple/study/point_record.h>
 #include <whipple/study/study_plan.h>
@@ -43,6 +44,9 @@ namespace whipple
     find(const StudyPlan &plan, const std::vector<StudyPoint> &points);
     PointRecord
     compute(const StudyPlan &plan, const StudyPoint &point, int repeat, const std::string &title);
+    /// @returns how it ended
+    std::string
+    wait_for(ChildRun &&child, const std::string &title, std::optional<double> expected);
     void
     learn(const StudyPlan &plan, const StudyPoint &point, const PointRecord &record);
     /// "; the whole takes about 3 min" or nothing

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/scene/shape.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whipple
+{
+  /// A parameter of a shape, set by its key in a scene's section Bodies/NAME. Shapes that mean the same thing share the
+  /// key.
+  struct ShapeParameter
+  {
+    std::string key;           ///< "Diameter"
+    std::string value;         ///< what is to be written: "a length", "two lengths" ...
+    std::string otherwise;     ///< what holds unless it is given; empty: it is needed
+    std::string documentation; ///< what it is
+  };
+
+  /// All that is to know about a kind of shape: for scenes, `whipple help shapes`, messages and the manual.
+  struct ShapeDescription
+  {
+    std::string                 name;          ///< in scene files, "sphere"
+    std::string                 summary;       ///< one line
+    std::string                 documentation; ///< a paragraph
+    std::vector<ShapeParameter> parameters;
+    std::string                 position_key; ///< of the parameter to look at if a body is in a wrong place
+    std::string                 size_key;     ///< ... or is too small
+  };
+
+  /// What a scene says of one body's shape. Every function throws InputError naming file, key, value and what is
+  /// allowed.
+  template <int dim>
+  class ShapeInput
+  {
+  public:
+    virtual ~ShapeInput() = default;
+
+    virtual Symmetry
+    symmetry() const = 0;
+    /// Text of a parameter; empty if not given.
+    virtual std::string
+    text(const std::string &key) const = 0;
+    /// A length > 0, cm.
+    virtual double
+    positive_length(const std::string &key) const = 0;
+    /// A length of any sign, cm.
+    virtual double
+    length(const std::string &key) const = 0;
+    /// A point, cm.
+    virtual Vector<dim>
+    point(const std::string &key) const = 0;
+    /// A point in `part` of what a parameter holds, cm.
+    virtual Vector<dim>
+    point(const std::string &key, const std::string &part) const = 0;
+    [[noreturn]] virtual void
+    reject(const std::string &key, const std::string &allowed) const = 0;
+    /// Write another value into the parameters in force.
+    virtual void
+    replace(const std::string &key, const std::string &value) const = 0;
+    /// Name of a file that a scene names, as seen from here: relative names start at the scene's folder.
+    virtual std::string
+    file(const std::string &key) const = 0;
+
+    bool
+    given(const std::string &key) const
+    {
+      return !text(key).empty();
+    }
+  };
+
+  /// All kinds of shapes, by name. Filled before main() by the one line
+  ///
+  ///     const ShapeRegistration<2> registration(description, [](const ShapeInput<2> &input) -> Shape<2> { ... });
+  ///
+  /// at the end of each kind's own file; never changed afterwards.
+  template <int dim>
+  class ShapeRegistry
+  {
+  public:
+    using Make = std::function<Shape<dim>(const ShapeInput<dim> &)>;
+    struct Entry
+    {
+      ShapeDescription description;
+      Make             make;
+    };
+
+    /// In alphabetical order.
+    static const std::map<std::string, Entry> &
+    all()
+    {
+      return entries();
+    }
+
+  private:
+    template <int>
+    friend class ShapeRegistration;
+
+    static std::map<std::string, Entry> &
+    entries()
+    {
+      static std::map<std::string, Entry> registry;
+      return registry;
+    }
+  };
+
+  /// Makes a kind of shape known under its name.
+  template <int dim>
+  class ShapeRegistration
+  {
+  public:
+    ShapeRegistration(ShapeDescription description, typename ShapeRegistry<dim>::Make make)
+    {
+      const std::string name = description.name;
+      ShapeRegistry<dim>::entries().emplace(
+          name, typename ShapeRegistry<dim>::Entry{std::move(description), std::move(make)});
+    }
+  };
+} // namespace whipple

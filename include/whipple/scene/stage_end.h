@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/scene/units.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// When a stage is over. Each way to say it is a class that registers itself, in a file of its own (doc/extending.md).
+namespace whipple
+{
+  /// What can be told of a stage before the run.
+  struct StageOutlook
+  {
+    double start   = 0; ///< us
+    double front   = 0; ///< foremost point of the fastest body at the start of the run, cm
+    double fastest = 0; ///< velocity of that body along axis 1, cm/us
+  };
+
+  /// What a stage end may ask of a running stage. Every question is collective.
+  class StageView
+  {
+  public:
+    virtual ~StageView() = default;
+
+    virtual double
+    time() const = 0; ///< us
+    virtual double
+    start() const = 0; ///< of the stage, us
+    virtual double
+    finest_cell() const = 0; ///< cm
+    /// Foremost corner of material along axis 1, cm.
+    virtual double
+    foremost() const = 0;
+    /// Largest velocity of a node along axis 1, cm/us.
+    virtual double
+    fastest() const = 0;
+    /// What there is to watch, by name: kinetic energy of each body, hole and crater of each plate ... (cm, g, us,
+    /// Mbar)
+    virtual std::map<std::string, double>
+    watched() const = 0;
+  };
+
+  /// One way for a stage to end.
+  class StageEnd
+  {
+  public:
+    virtual ~StageEnd() = default;
+
+    /// Time at which the stage will end as far as it can be told, us; infinity if it will not.
+    virtual double
+    expected(const StageOutlook &outlook) const = 0;
+
+    /// Whether expected() will be the time.
+    virtual bool
+    is_known() const
+    {
+      return true;
+    }
+
+    /// The time itself, if it does not depend on when the stage starts, us.
+    virtual std::optional<double>
+    fixed_time() const
+    {
+      return std::nullopt;
+    }
+
+    /// Body that the stage waits for: a later stage must introduce it.
+    virtual std::optional<std::size_t>
+    awaited_body() const
+    {
+      return std::nullopt;
+    }
+
+    struct Left
+    {
+      double time; ///< us; the largest step that may still be made. 0: the stage is over
+      double end;  ///< us; when it will be, estimated
+    };
+
+    /// Asked before every step. @param memory of this stage, empty at its start; part of the run state
+    /// @throws StateError if the end cannot come
+    virtual Left
+    time_left(const StageView &stage, std::vector<double> &memory) const = 0;
+  };
+
+  /// What a scene says after the words that name a stage end, and what it needs to be understood.
+  struct StageEndInput
+  {
+    std::string              rest;   ///< the text after the phrase
+    std::vector<std::string> bodies; ///< names
+    std::vector<double>      fronts; ///< lower face of each along axis 1, cm
+
+    /// A part of the text as a value in internal units. Throws InputError that names file, key and value.
+    std::function<double(const std::string &text, const units::Quantity &quantity)> value;
+    /// A part of the text as an index into bodies. Throws InputError likewise.
+    std::function<std::size_t(const std::string &text)> body;
+    /// Throws InputError: what is allowed.
+    std::function<void(const std::string &allowed)> reject;
+  };
+
+  /// All stage ends there are.
+  class StageEndRegistry
+  {
+  public:
+    using Make = std::function<std::shared_ptr<const StageEnd>(const StageEndInput &)>;
+    struct Entry
+    {
+      std::string usage; ///< "for TIME"
+      std::string help;  ///< one line
+      Make        make;
+    };
+
+    /// By the phrase they begin with; the empty one is taken for what no other fits.
+    static const std::map<std::string, Entry> &
+    all()
+    {
+      return entries();
+    }
+
+    /// Understand what a scene says. @param input with the whole text as its rest
+    /// @throws InputError
+    static std::shared_ptr<const StageEnd>
+    read(StageEndInput input);
+
+    /// "a time such as '1.5 us' | 'for TIME' | ..."
+    static std::string
+    usage();
+
+  private:
+    friend class StageEndRegistration;
+
+    static std::map<std::string, Entry> &
+    entries()
+    {
+      static std::map<std::string, Entry> registry;
+      return registry;
+    }
+  };
+
+  /// Makes a stage end known: one line at the end of its file.
+  class StageEndRegistration
+  {
+  public:
+    StageEndRegistration(const std::string &phrase, StageEndRegistry::Entry entry)
+    {
+      StageEndRegistry::entries().emplace(phrase, std::move(entry));
+    }
+  };
+} // namespace whipple

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/diagnostics/debris_measure.h>
+#include <whipple/diagnostics/plate_measure.h>
+#include <whipple/diagnostics/result_table.h>
+#include <whipple/mesh/collective.h>
+#include <whipple/run/run_view.h>
+
+#include <algorithm>
+
+namespace whipple
+{
+  template <int dim>
+  double
+  RunView<dim>::time() const
+  {
+    return run_.domain.state.time;
+  }
+
+  template <int dim>
+  double
+  RunView<dim>::start() const
+  {
+    return run_.books.summary.stages.back().start_us;
+  }
+
+  template <int dim>
+  double
+  RunView<dim>::finest_cell() const
+  {
+    return scene_.lattice.spacing;
+  }
+
+  template <int dim>
+  double
+  RunView<dim>::foremost() const
+  {
+    return foremost_point(run_.domain.view->mesh, run_.domain.state, run_.domain.communicator());
+  }
+
+  template <int dim>
+  double
+  RunView<dim>::fastest() const
+  {
+    const State<dim> &state   = run_.domain.state;
+    double            fastest = 0;
+    for (Index n = 0; n < state.n_nodes(); ++n)
+      if (state.node_mass[n] > 0)
+        fastest = std::max(fastest, state.velocity[1][n]);
+    return max_over_ranks(fastest, run_.domain.communicator());
+  }
+
+  template <int dim>
+  std::map<std::string, double>
+  RunView<dim>::watched() const
+  {
+    const Domain<dim>            &domain       = run_.domain;
+    const FlatMesh<dim>          &mesh         = domain.view->mesh;
+    const MPI_Comm                communicator = domain.communicator();
+    std::map<std::string, double> values;
+    if (layout_.bodies_separable)
+      {
+        const auto bodies = body_totals(mesh, domain.state, layout_.body_tag, layout_.body_material, communicator);
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          values["kinetic energy of " + scene_.bodies[b].name] = bodies[b].kinetic_energy;
+      }
+    else
+      values["kinetic energy"] = totals(mesh, domain.state, communicator).kinetic_energy;
+    for (const std::size_t plate : measured_plates(scene_, run_.books.stage))
+      {
+        const std::string &name     = scene_.bodies[plate].name;
+        const auto         measure  = measure_plate(scene_, layout_, plate, mesh, domain.state, communicator);
+        values["hole of " + name]   = measure ? measure->hole_diameter : 0.;
+        values["crater of " + name] = measure ? measure->crater_depth : 0.;
+      }
+    return values;
+  }
+
+  template class RunView<2>;
+} // namespace whipple

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Stage ends: what is understood, what is foretold, and when a stage that settles has settled.
+#include <whipple/error.h>
+#include <whipple/scene/stage_end.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace whipple;
+
+  /// A stage in which a crater grows as depth (1 - exp(-t / tau)), and material flies at a plate.
+  class FakeStage : public StageView
+  {
+  public:
+    double now = 0, begin = 0, tau = 1;
+
+    double
+    time() const override
+    {
+      return now;
+    }
+    double
+    start() const override
+    {
+      return begin;
+    }
+    double
+    finest_cell() const override
+    {
+      return 0.01;
+    }
+    double
+    foremost() const override
+    {
+      return 0.5 * now;
+    }
+    double
+    fastest() const override
+    {
+      return 0.5;
+    }
+    std::map<std::string, double>
+    watched() const override
+    {
+      return {{"crater of wall", 0.2 * (1. - std::exp(-(now - begin) / tau))}, {"hole of wall", 0.}};
+    }
+  };
+
+  std::shared_ptr<const StageEnd>
+  read(const std::string &text)
+  {
+    StageEndInput input;
+    input.rest   = text;
+    input.bodies = {"bumper", "wall"};
+    input.fronts = {0., 2.};
+    input.value = [](const std::string &part, const units::Quantity &quantity) { return units::parse(part, quantity); };
+    input.body  = [](const std::string &name) -> std::size_t {
+      if (name == "wall")
+        return 1;
+      throw InputError("unknown '" + name + "'");
+    };
+    input.reject = [](const std::string &allowed) { throw InputError(allowed); };
+    return StageEndRegistry::read(input);
+  }
+
+  /// Go on in steps of at most that until the stage is over. @returns the time of that
+  double
+  run(const StageEnd &end, FakeStage &stage, double step)
+  {
+    std::vector<double> memory;
+    stage.now = stage.begin;
+    for (int i = 0; i < 1000000; ++i)
+      {
+        const StageEnd::Left left = end.time_left(stage, memory);
+        if (left.time <= 0)
+          return stage.now;
+        stage.now += std::min(step, left.time);
+      }
+    return HUGE_VAL;
+  }
+
+  TEST(StageEnd, TimesAreForetoldAndKept)
+  {
+    FakeStage stage;
+    stage.begin = 1.;
+    EXPECT_EQ(read("1.5 us")->fixed_time(), std::optional<double>(1.5));
+    EXPECT_EQ(read("1.5 us")->expected({2., 0., 0.}), 2.);
+    EXPECT_EQ(read("for 2 us")->expected({1., 0., 0.}), 3.);
+    EXPECT_NEAR(run(*read("1.5 us"), stage, 0.07), 1.5, 1e-8);
+    EXPECT_NEAR(run(*read("for 2 us"), stage, 0.07), 3., 1e-8);
+  }
+
+  TEST(StageEnd, LeadingEdgeReachesTheFace)
+  {
+    FakeStage  stage;
+    const auto end = read("until leading edge reaches wall");
+    EXPECT_EQ(end->awaited_body(), std::optional<std::size_t>(1));
+    EXPECT_FALSE(end->is_known());
+    EXPECT_EQ(end->expected({0., 1., 0.5}), 2.);
+    EXPECT_EQ(end->expected({0., 1., 0.}), HUGE_VAL);
+    const double time = run(*end, stage, 0.07);
+    EXPECT_NEAR(0.5 * time, 2., 0.01 * stage.finest_cell() + 0.1 * stage.finest_cell());
+  }
+
+  /// What changes as exp(-t / tau) changes by the share s over the time T from t = tau ln((1 - e^(-T/tau)) e^(T/tau) /
+  /// s) on, up to the distance of two looks.
+  TEST(StageEnd, WhatDecaysHasSettledWhenItChangesNoMore)
+  {
+    for (const double step : {0.003, 0.01, 0.5})
+      {
+        FakeStage stage;
+        stage.begin              = 3.;
+        const double share       = 0.01;
+        const double length      = 2.;
+        const double change      = (std::exp(length) - 1.) / share; // e^(t) at which the last 2 us changed by 1 %
+        const double independent = stage.begin + std::log(change);
+        EXPECT_NEAR(run(*read("until settled within 1 % for 2 us"), stage, step), independent, length / 10. + 1e-9)
+            << step;
+      }
+  }
+
+  TEST(StageEnd, WhatIsNotUnderstoodIsRefused)
+  {
+    for (const char *text : {"", "until settled", "until settled within 1 %", "until settled within 1 % for", "0 us",
+                             "for -1 us", "until settled within 0 % for 2 us", "until settled within 1 % for 0 us",
+                             "until leading edge reaches moon", "when it is over"})
+      EXPECT_THROW(read(text), InputError) << text;
+  }
+} // namespace
