@@ -214,6 +214,7 @@ set(WHIPPLE_DEALII
     source/run/run_view.cc
     source/run/simulation.cc
     source/run/stage_loop.cc
+    source/run/stage_pieces.cc
     source/run/state_guard.cc
     source/run/state_rows.cc
     source/run/time_step_history.cc
