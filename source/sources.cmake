@@ -120,6 +120,9 @@ set(WHIPPLE_FLAT
     source/projection/spread_excess.cc
     source/projection/to_eulerian.cc
     source/projection/to_lagrangian.cc
+    source/refinement/gradient_criterion.cc
+    source/refinement/smooth_criterion.cc
+    source/refinement/smoothness.cc
     source/remap/cell_split.cc
     source/remap/child_volumes.cc
     source/remap/directional_remap.cc
@@ -194,7 +197,6 @@ set(WHIPPLE_DEALII
     source/output/summary.cc
     source/problem/field_layout.cc
     source/refinement/level_need.cc
-    source/refinement/smoothness.cc
     source/run/bond_breaking.cc
     source/run/books_cbor.cc
     source/run/checkpoint.cc
