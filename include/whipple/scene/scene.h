@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -93,12 +94,12 @@ namespace whipple
   /// One link of the chain.
   struct Stage
   {
-    std::string              name;
-    StageMode                mode = StageMode::eulerian;
-    std::vector<std::size_t> introduces; ///< indices of bodies that enter at its start
+    std::string                     name;
+    StageMode                       mode = StageMode::eulerian;
+    std::vector<std::size_t>        introduces; ///< indices of bodies that enter at its start
     std::shared_ptr<const StageEnd> end;
-    double                   max_time_step       = std::numeric_limits<double>::infinity(); ///< us
-    KineticLoss              lost_kinetic_energy = KineticLoss::heat;                       ///< by remap and projection
+    double                          max_time_step       = std::numeric_limits<double>::infinity(); ///< us
+    KineticLoss                     lost_kinetic_energy = KineticLoss::heat; ///< by remap and projection
 
     Cohesion      cohesion = Cohesion::bonded; ///< Lagrangian stages
     BreakCriteria breaking;                    ///< graded cohesion
@@ -164,6 +165,12 @@ namespace whipple
     std::string           reason; ///< one line
   };
 
+  /// What an extra section (scene/extra_section.h) says; its owner knows what it is.
+  struct SectionContent
+  {
+    virtual ~SectionContent() = default;
+  };
+
   template <int dim>
   struct Scene
   {
@@ -184,6 +191,9 @@ namespace whipple
     OutputControl              output;
 
     std::shared_ptr<const exact::ExactSolution<dim>> exact; ///< what errors are measured against; null: nothing
+
+    std::map<std::string, std::shared_ptr<const SectionContent>>
+        extra; ///< by the name of the section; those that are used
 
     std::string effective_parameters; ///< every value in force, as a .prm that reads back to this scene
 
