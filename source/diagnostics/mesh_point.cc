@@ -84,10 +84,10 @@ namespace whipple
     LatticePoint<dim> finest;
     for (int d = 0; d < dim; ++d)
       {
-        const double place = std::floor((x[d] - lattice.origin[d]) / lattice.spacing);
-        if (!(place >= 0 && place <= lattice.finest(d)))
+        const double place = (x[d] - lattice.origin[d]) / lattice.spacing;
+        if (!(place >= 0 && place <= lattice.finest(d) + tolerance))
           return {};
-        finest[d] = std::min(static_cast<int>(place), lattice.finest(d) - 1);
+        finest[d] = std::min(static_cast<int>(std::floor(place)), lattice.finest(d) - 1);
       }
     for (int level = lattice.max_level; level >= 0; --level)
       {

@@ -21,7 +21,7 @@ rejects() {
 }
 
 rejects 'Gauges/a/Point' 'Gauges/List = a'
-rejects 'outside the domain; allowed is along axis 1 -2.2 cm to 1.8 cm' 'Gauges/List = a' 'Gauges/a/Point = 0 cm, 2 cm'
+rejects 'outside the domain; allowed is along axis 1 -2.2 cm to 1.' 'Gauges/List = a' 'Gauges/a/Point = 0 cm, 2 cm'
 rejects "did you mean 'pressure'? allowed are velocity, density, pressure, solid fraction" 'Gauges/List = a' \
   'Gauges/a/Point = 0 cm, 0 cm' 'Gauges/a/Fields = density, presure'
 rejects "'density' is listed twice" 'Gauges/List = a' 'Gauges/a/Point = 0 cm, 0 cm' 'Gauges/a/Fields = density, density'
