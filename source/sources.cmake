@@ -120,6 +120,9 @@ set(WHIPPLE_FLAT
     source/projection/spread_excess.cc
     source/projection/to_eulerian.cc
     source/projection/to_lagrangian.cc
+    source/refinement/gradient_criterion.cc
+    source/refinement/smooth_criterion.cc
+    source/refinement/smoothness.cc
     source/remap/cell_split.cc
     source/remap/child_volumes.cc
     source/remap/directional_remap.cc
@@ -196,7 +199,6 @@ set(WHIPPLE_DEALII
     source/output/summary.cc
     source/problem/field_layout.cc
     source/refinement/level_need.cc
-    source/refinement/smoothness.cc
     source/run/bond_breaking.cc
     source/run/books_cbor.cc
     source/run/checkpoint.cc
@@ -216,6 +218,7 @@ set(WHIPPLE_DEALII
     source/run/run_view.cc
     source/run/simulation.cc
     source/run/stage_loop.cc
+    source/run/stage_pieces.cc
     source/run/state_guard.cc
     source/run/state_rows.cc
     source/run/time_step_history.cc

@@ -139,7 +139,7 @@ namespace whipple
     result.right = rim_piece(site, pieces, 1);
 
     image.for_each_contact([&](int a, int b) {
-      for (const auto [inner, outer] : {std::pair{a, b}, std::pair{b, a}})
+      for (const auto &[inner, outer] : {std::pair{a, b}, std::pair{b, a}})
         if (result.attached(inner) && result.piece[outer] == none && cells[outer].dense)
           result.skin[outer] = true;
     });

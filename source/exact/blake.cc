@@ -7,11 +7,13 @@
 
 namespace whipple::exact
 {
-  Blake::Blake(const Constants &constants)
-    : constants(constants)
-    , wave_speed_(std::sqrt((constants.bulk_modulus + 4. / 3. * constants.shear_modulus) / constants.density))
-    , damping_(2. * constants.shear_modulus / (constants.density * wave_speed_ * constants.radius))
-    , frequency_(std::sqrt(4. * constants.shear_modulus / (constants.density * constants.radius * constants.radius) -
+  Blake::Blake(const Constants &given_constants)
+    : constants(given_constants)
+    , wave_speed_(
+          std::sqrt((given_constants.bulk_modulus + 4. / 3. * given_constants.shear_modulus) / given_constants.density))
+    , damping_(2. * given_constants.shear_modulus / (given_constants.density * wave_speed_ * given_constants.radius))
+    , frequency_(std::sqrt(4. * given_constants.shear_modulus /
+                               (given_constants.density * given_constants.radius * given_constants.radius) -
                            damping_ * damping_))
   {
   }

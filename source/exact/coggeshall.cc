@@ -7,14 +7,14 @@
 
 namespace whipple::exact
 {
-  Coggeshall::Coggeshall(const Constants &constants)
-    : constants(constants)
+  Coggeshall::Coggeshall(const Constants &given_constants)
+    : constants(given_constants)
     , rim(
           [this](double r, double t) {
             const ProfileState s = at(r, t);
             return s.velocity - std::sqrt(this->constants.exponent * s.pressure / s.density);
           },
-          constants.extent, constants.start, 1e-3 * constants.start, [](double) { return 0.; })
+          given_constants.extent, given_constants.start, 1e-3 * given_constants.start, [](double) { return 0.; })
   {
   }
 

@@ -11,10 +11,10 @@
 
 namespace whipple::exact
 {
-  EntropyWave::EntropyWave(std::string name, const Constants &constants)
+  EntropyWave::EntropyWave(std::string name, const Constants &given_constants)
     : ExactSolution<2>(std::move(name))
-    , constants(constants)
-    , pressure_(fluid_point(*constants.eos, constants.density, constants.energy).pressure)
+    , constants(given_constants)
+    , pressure_(fluid_point(*given_constants.eos, given_constants.density, given_constants.energy).pressure)
   {
   }
 

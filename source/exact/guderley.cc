@@ -68,8 +68,8 @@ namespace whipple::exact
     return result;
   }
 
-  Guderley::Guderley(const Constants &constants)
-    : constants(constants)
+  Guderley::Guderley(const Constants &given_constants)
+    : constants(given_constants)
   {
     const ConvergingShock shock = find_converging_shock(constants.dimensions, constants.exponent);
     flow                        = shock.flow;

@@ -26,8 +26,8 @@ namespace whipple::exact
     }
   } // namespace
 
-  Isentrope::Isentrope(std::shared_ptr<const EquationOfState> eos, const FluidPoint &start)
-    : eos(std::move(eos))
+  Isentrope::Isentrope(std::shared_ptr<const EquationOfState> given_eos, const FluidPoint &start)
+    : eos(std::move(given_eos))
   {
     if (!(start.sound_speed > 0))
       throw StateError(this->eos->name() + ": no real sound speed at " + std::to_string(start.density) +

@@ -10,9 +10,9 @@
 
 namespace whipple::exact
 {
-  IsentropicVortex::IsentropicVortex(std::string name, const Constants &constants)
+  IsentropicVortex::IsentropicVortex(std::string name, const Constants &given_constants)
     : ExactSolution<2>(std::move(name))
-    , constants(constants)
+    , constants(given_constants)
   {
   }
 

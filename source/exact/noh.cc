@@ -6,9 +6,9 @@
 
 namespace whipple::exact
 {
-  Noh::Noh(const Constants &constants)
-    : constants(constants)
-    , shock_speed(0.5 * (constants.exponent - 1.) * constants.velocity)
+  Noh::Noh(const Constants &given_constants)
+    : constants(given_constants)
+    , shock_speed(0.5 * (given_constants.exponent - 1.) * given_constants.velocity)
   {
   }
 

@@ -10,8 +10,8 @@
 namespace whipple::exact
 {
   Piston::Piston(const LoadedState &ahead, std::vector<WaveFront> fronts,
-                 const std::function<double(const LoadedState &)> &wave_speed, const Constants &constants)
-    : constants(constants)
+                 const std::function<double(const LoadedState &)> &wave_speed, const Constants &given_constants)
+    : constants(given_constants)
     , ahead_(ahead)
     , fronts_(std::move(fronts))
     , arrival_(std::abs(constants.far_end - constants.origin) / fronts_.front().speed)

@@ -8,9 +8,9 @@
 
 namespace whipple::exact
 {
-  Riemann::Riemann(const State &left, const State &right, double interface_position)
-    : left(make_side(left, -1.))
-    , right(make_side(right, 1.))
+  Riemann::Riemann(const State &given_left, const State &given_right, double interface_position)
+    : left(make_side(given_left, -1.))
+    , right(make_side(given_right, 1.))
     , position(interface_position)
   {
     find_star();

@@ -5,10 +5,10 @@
 
 namespace whipple::exact
 {
-  RimSignal::RimSignal(const std::function<double(double, double)> &inward, double rim, double start, double step,
-                       const std::function<double(double)> &innermost)
-    : start(start)
-    , step(step)
+  RimSignal::RimSignal(const std::function<double(double, double)> &inward, double rim, double given_start,
+                       double given_step, const std::function<double(double)> &innermost)
+    : start(given_start)
+    , step(given_step)
   {
     if (!std::isfinite(rim))
       return;

@@ -9,9 +9,9 @@
 
 namespace whipple::exact
 {
-  Rotation::Rotation(std::string name, const Constants &constants)
+  Rotation::Rotation(std::string name, const Constants &given_constants)
     : ExactSolution<2>(std::move(name))
-    , constants(constants)
+    , constants(given_constants)
   {
   }
 

@@ -16,8 +16,8 @@ namespace whipple::exact
     constexpr int    table_size = 4000;
   } // namespace
 
-  Sedov::Sedov(const Constants &constants)
-    : constants(constants)
+  Sedov::Sedov(const Constants &given_constants)
+    : constants(given_constants)
   {
     const double k = constants.exponent;
     if (!(k > 1.) || std::abs(k - 2.) < 1e-6 || (constants.dimensions == 3 && k >= 7.))

@@ -44,9 +44,9 @@ namespace whipple::exact
     return 0.5 * (low + high);
   }
 
-  SoundWave::SoundWave(std::string name, const Constants &constants)
+  SoundWave::SoundWave(std::string name, const Constants &given_constants)
     : ExactSolution<2>(std::move(name))
-    , constants(constants)
+    , constants(given_constants)
   {
     const FluidPoint rest = fluid_point(*constants.eos, constants.density, constants.energy);
     pressure_             = rest.pressure;

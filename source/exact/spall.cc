@@ -9,8 +9,8 @@
 
 namespace whipple::exact
 {
-  Spall::Spall(const Constants &constants)
-    : constants(constants)
+  Spall::Spall(const Constants &given_constants)
+    : constants(given_constants)
   {
   }
 

@@ -9,10 +9,11 @@
 
 namespace whipple::exact
 {
-  VoidRate::VoidRate(const Constants &constants)
-    : constants(constants)
-    , rate_(constants.alpha * constants.bulk_modulus / constants.reference_density)
-    , start_ratio_(constants.bulk_density / ((1. - constants.void_fraction) * constants.reference_density))
+  VoidRate::VoidRate(const Constants &given_constants)
+    : constants(given_constants)
+    , rate_(given_constants.alpha * given_constants.bulk_modulus / given_constants.reference_density)
+    , start_ratio_(given_constants.bulk_density /
+                   ((1. - given_constants.void_fraction) * given_constants.reference_density))
   {
   }
 

@@ -89,12 +89,14 @@ namespace whipple
       {
         if (mesh.intact[c] && cell_shape::shares_nodes(mesh, c))
           continue;
-        const geometry::Quad next = cell_shape::corners_after(mesh, state, c, dt);
-        const Obstacles      met  = obstacles(mesh, walls, state, c, next);
-        const bool           stop = cell_shape::folds(next, least_jacobian) ||
-                          (!forced.empty() && std::find(forced.begin(), forced.end(), c) != forced.end());
+        const geometry::Quad next   = cell_shape::corners_after(mesh, state, c, dt);
+        const Obstacles      met    = obstacles(mesh, walls, state, c, next);
+        const bool           locked = std::binary_search(forced.begin(), forced.end(), c);
+        const bool           stop   = locked || cell_shape::folds(next, least_jacobian);
         if (met.passes || (stop && !met.rigid))
           make_rigid(mesh, state, c, met.held, report);
+        if (met.passes || locked)
+          report.rigid.push_back({c, met.held});
       }
     return report;
   }

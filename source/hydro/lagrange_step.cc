@@ -117,6 +117,29 @@ namespace whipple
   }
 
   template <int dim>
+  void
+  lump_masses(const FlatMesh<dim> &mesh, State<dim> &state)
+  {
+    state.node_mass.assign(mesh.n_nodes, 0.);
+    for (Index node = 0; node < mesh.n_nodes; ++node)
+      for (Index i = mesh.node_corner_begin[node]; i < mesh.node_corner_begin[node + 1]; ++i)
+        {
+          const Index corner = mesh.node_corner[i];
+          double      mass   = 0;
+          for (const MaterialState &material : state.material)
+            mass += material.mass[corner / FlatMesh<dim>::corners];
+          state.node_mass[node] += state.corner_weight[corner] * mass;
+        }
+    for (std::size_t i = 0; i < mesh.hanging.size(); ++i)
+      {
+        double &hanging = state.node_mass[mesh.hanging[i]];
+        for (const Index master : mesh.master[i])
+          state.node_mass[master] += 0.5 * hanging;
+        hanging = 0;
+      }
+  }
+
+  template <int dim>
   LagrangeStep<dim>::LagrangeStep(const FlatMesh<dim> &mesh, const std::vector<Material> &materials,
                                   const Boundaries<dim> &boundaries, const HydroParameters &parameters)
     : mesh_(mesh)
@@ -137,23 +160,7 @@ namespace whipple
   void
   LagrangeStep<dim>::update_node_mass(State<dim> &state) const
   {
-    state.node_mass.assign(mesh_.n_nodes, 0.);
-    for (Index node = 0; node < mesh_.n_nodes; ++node)
-      for (Index i = mesh_.node_corner_begin[node]; i < mesh_.node_corner_begin[node + 1]; ++i)
-        {
-          const Index corner = mesh_.node_corner[i];
-          double      mass   = 0;
-          for (const MaterialState &material : state.material)
-            mass += material.mass[corner / FlatMesh<dim>::corners];
-          state.node_mass[node] += state.corner_weight[corner] * mass;
-        }
-    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
-      {
-        double &hanging = state.node_mass[mesh_.hanging[i]];
-        for (const Index master : mesh_.master[i])
-          state.node_mass[master] += 0.5 * hanging;
-        hanging = 0;
-      }
+    lump_masses(mesh_, state);
   }
 
   template <int dim>
@@ -187,15 +194,22 @@ namespace whipple
 
   template <int dim>
   TimeStepLimit
-  LagrangeStep<dim>::time_step(const State<dim> &state, const Derived &derived)
+  LagrangeStep<dim>::time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt)
   {
     if (!motion_.drives_nodes())
-      return find_time_step<dim>(mesh_, state, derived, state.velocity, parameters_, work_);
+      return find_time_step<dim>(mesh_, state, derived, state.velocity, parameters_, work_, exempt);
     // a side that is about to move its nodes squeezes the cells beside it, whatever velocity they still have
     for (int d = 0; d < dim; ++d)
       std::copy(state.velocity[d].begin(), state.velocity[d].end(), work_.velocity[d].begin());
     motion_.drive(state, work_.velocity);
-    return find_time_step<dim>(mesh_, state, derived, work_.velocity, parameters_, work_);
+    return find_time_step<dim>(mesh_, state, derived, work_.velocity, parameters_, work_, exempt);
+  }
+
+  template <int dim>
+  std::vector<Index>
+  LagrangeStep<dim>::slivers(const State<dim> &state, const Derived &derived, double bound) const
+  {
+    return find_slivers<dim>(mesh_, state, derived, parameters_, work_, bound);
   }
 
   template <int dim>
@@ -229,13 +243,14 @@ namespace whipple
 
   template <int dim>
   LagrangeReport<dim>
-  LagrangeStep<dim>::advance(State<dim> &state, const Derived &derived, double dt)
+  LagrangeStep<dim>::advance(State<dim> &state, const Derived &derived, double dt,
+                             std::span<const RigidFragment<dim>> rigid)
   {
     motion_.predict(state, dt, work_);
     cell_kernels::stretch_rates(mesh_, state, work_);
     cell_kernels::corner_forces(mesh_, state, derived, parameters_, dt, work_);
     motion_.load_sides(state, derived, dt, work_);
-    const BoundaryExchange<dim> exchange    = motion_.move(state, dt, work_);
+    const BoundaryExchange<dim> exchange    = motion_.move(state, dt, rigid, work_);
     cell_kernels::Dissipation   dissipation = cell_kernels::update_cells(mesh_, state, derived, dt, work_);
     if (!work_.viscous_force.empty())
       dissipation.viscous = cell_kernels::viscous_work(mesh_, dt, work_);
@@ -248,5 +263,7 @@ namespace whipple
 
   template void
   initialise_geometry<2>(const FlatMesh<2> &, State<2> &);
+  template void
+  lump_masses(const FlatMesh<2> &, State<2> &);
   template class LagrangeStep<2>;
 } // namespace whipple

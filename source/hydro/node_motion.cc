@@ -256,6 +256,37 @@ namespace whipple
 
   template <int dim>
   void
+  NodeMotion<dim>::keep_shapes(const State<dim> &state, std::span<const RigidFragment<dim>> rigid, StepWork<dim> &work,
+                               BoundaryExchange<dim> &exchange) const
+  {
+    constexpr int corners = FlatMesh<dim>::corners;
+    for (const RigidFragment<dim> &fragment : rigid)
+      {
+        const Index *node = &mesh_.cell_node[fragment.cell * corners];
+        double       mass = 0;
+        for (int k = 0; k < corners; ++k)
+          mass += state.node_mass[node[k]];
+        if (!(mass > 0))
+          continue;
+        for (int d = 0; d < dim; ++d)
+          {
+            const double before = state.velocity[d][node[0]];
+            double       gained = 0; // momentum
+            for (int k = 0; k < corners; ++k)
+              gained += state.node_mass[node[k]] * (work.velocity[d][node[k]] - before);
+            const double after = fragment.held[d] ? before : before + gained / mass;
+            for (int k = 0; k < corners; ++k)
+              work.velocity[d][node[k]] = after;
+            if (!fragment.held[d] || fragment.cell >= mesh_.n_owned)
+              continue;
+            exchange.momentum[d] -= gained;
+            exchange.work -= gained * before;
+          }
+      }
+  }
+
+  template <int dim>
+  void
   NodeMotion<dim>::accelerate_loaded(const State<dim> &state, double dt, StepWork<dim> &work)
   {
     // implicit in the mean velocity: the traction then belongs to the same time as the forces of the cells
@@ -273,7 +304,8 @@ namespace whipple
 
   template <int dim>
   BoundaryExchange<dim>
-  NodeMotion<dim>::move(const State<dim> &state, double dt, StepWork<dim> &work)
+  NodeMotion<dim>::move(const State<dim> &state, double dt, std::span<const RigidFragment<dim>> rigid,
+                        StepWork<dim> &work)
   {
     sum_corner_forces(work);
     for (int d = 0; d < dim; ++d)
@@ -287,6 +319,7 @@ namespace whipple
 
     accelerate_loaded(state, dt, work);
     BoundaryExchange<dim> exchange;
+    keep_shapes(state, rigid, work, exchange);
     constrain(state, dt, work, exchange);
 
     for (int d = 0; d < dim; ++d)

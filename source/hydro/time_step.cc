@@ -6,6 +6,7 @@
 #include <whipple/hydro/velocity_gradient.h>
 #include <whipple/hydro/viscosity.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -69,51 +70,97 @@ namespace whipple
       return {any, fastest, select(1. - filled > closure::closed_share, max(share, Pack(0.)), Pack(1.))};
     }
 
+    /// What the cells of a pack allow.
+    struct Allowed
+    {
+      Pack            dt, crossing, straining; ///< us; dt infinite where nothing is felt
+      Pack            damping, sound;          ///< cm/us
+      Pack            extent;                  ///< the smallest, cm
+      Pack::mask_type there;
+    };
+
+    template <Symmetry symmetry, int dim>
+    Allowed
+    allowed(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+            const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
+            const StepWork<dim> &work, Index first)
+    {
+      Allowed       result;
+      const Content held = content(state, derived, work, first);
+      // cold gas has no sound, but it too must not be squeezed through itself
+      result.there = held.felt && lanes_below(first, mesh.n_owned);
+      result.dt    = Pack(unlimited);
+      if (none_of(result.there))
+        return result;
+      const geometry::QuadOf<Pack> x          = gather_corners(mesh, state.position, first);
+      const geometry::QuadOf<Pack> v          = gather_corners(mesh, velocity, first);
+      const auto                   gradient   = velocity_gradient(geometry::volume_gradient<symmetry>(x),
+                                                                  geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
+      const Pack                   divergence = gradient.divergence(), c2 = held.wave, c = sqrt(c2);
+      result.extent = smallest_extent(x);
+      result.sound  = c;
+
+      Pack jump(0.);
+      for (int d = 0; d < dim; ++d)
+        {
+          const auto along = viscosity::stretch(d, x, v);
+          jump += max(-along.rate * along.length, Pack(0.));
+        }
+      jump = max(jump, viscosity::thin_jump(x, v));
+      result.damping =
+          select(divergence < 0. && jump > 0.,
+                 Pack(held.pressed * (2. * parameters.quadratic_viscosity * jump + parameters.linear_viscosity * c)),
+                 Pack(0.));
+      const Pack damping = result.damping;
+      result.crossing    = parameters.courant * result.extent / (damping + sqrt(damping * damping + c2));
+      result.straining   = parameters.max_volume_change / abs(divergence);
+      result.dt          = select(result.there, Pack(min(result.crossing, result.straining)), Pack(unlimited));
+      return result;
+    }
+
     template <Symmetry symmetry, int dim>
     TimeStepLimit
     smallest_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                        const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
-                       const StepWork<dim> &work)
+                       const StepWork<dim> &work, std::span<const Index> exempt)
     {
       TimeStepLimit limit{unlimited, "sound", none};
       for (Index first = 0; first < mesh.n_owned; first += pack_size)
         {
-          const Content held = content(state, derived, work, first);
-          // cold gas has no sound, but it too must not be squeezed through itself
-          const auto there = held.felt && lanes_below(first, mesh.n_owned);
-          if (none_of(there))
-            continue;
-          const geometry::QuadOf<Pack> x        = gather_corners(mesh, state.position, first);
-          const geometry::QuadOf<Pack> v        = gather_corners(mesh, velocity, first);
-          const auto                   gradient = velocity_gradient(geometry::volume_gradient<symmetry>(x),
-                                                                    geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
-          const Pack divergence = gradient.divergence(), extent = smallest_extent(x), c2 = held.wave, c = sqrt(c2);
-
-          Pack jump(0.);
-          for (int d = 0; d < dim; ++d)
-            {
-              const auto along = viscosity::stretch(d, x, v);
-              jump += max(-along.rate * along.length, Pack(0.));
-            }
-          jump               = max(jump, viscosity::thin_jump(x, v));
-          const Pack damping = select(
-              divergence < 0. && jump > 0.,
-              Pack(held.pressed * (2. * parameters.quadratic_viscosity * jump + parameters.linear_viscosity * c)),
-              Pack(0.));
-          const Pack crossing  = parameters.courant * extent / (damping + sqrt(damping * damping + c2));
-          const Pack straining = parameters.max_volume_change / abs(divergence);
-          const Pack dt        = select(there, Pack(min(crossing, straining)), Pack(unlimited));
-          if (none_of(dt < limit.dt))
+          const Allowed a = allowed<symmetry, dim>(mesh, state, derived, velocity, parameters, work, first);
+          if (none_of(a.dt < limit.dt))
             continue;
           for (Index lane = 0; lane < pack_size; ++lane)
-            if (dt[lane] < limit.dt)
-              limit = {dt[lane],
-                       straining[lane] < crossing[lane] ? "volume change"
-                       : damping[lane] > 0.75 * c[lane] ? "viscosity"
-                                                        : "sound",
+            if (a.dt[lane] < limit.dt && !std::binary_search(exempt.begin(), exempt.end(), first + lane))
+              limit = {a.dt[lane],
+                       a.straining[lane] < a.crossing[lane]     ? "volume change"
+                       : a.damping[lane] > 0.75 * a.sound[lane] ? "viscosity"
+                                                                : "sound",
                        first + lane};
         }
       return limit;
+    }
+
+    template <Symmetry symmetry, int dim>
+    std::vector<Index>
+    thin_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+               const HydroParameters &parameters, const StepWork<dim> &work, double bound)
+    {
+      constexpr double   thin = 1. / 25; // smallest extent over the longest side
+      std::vector<Index> cells;
+      for (Index first = 0; first < mesh.n_owned; first += pack_size)
+        {
+          const Allowed a = allowed<symmetry, dim>(mesh, state, derived, state.velocity, parameters, work, first);
+          if (none_of(a.dt < bound))
+            continue;
+          const geometry::QuadOf<Pack> x    = gather_corners(mesh, state.position, first);
+          const Pack                   area = abs(geometry::volume<Symmetry::planar>(x));
+          // the extent is the area over the longest side
+          for (Index lane = 0; lane < pack_size; ++lane)
+            if (a.dt[lane] < bound && a.extent[lane] * a.extent[lane] < thin * area[lane])
+              cells.push_back(first + lane);
+        }
+      return cells;
     }
   } // namespace
 
@@ -121,14 +168,27 @@ namespace whipple
   TimeStepLimit
   find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                  const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
-                 const StepWork<dim> &work)
+                 const StepWork<dim> &work, std::span<const Index> exempt)
   {
     if (mesh.symmetry == Symmetry::planar)
-      return smallest_time_step<Symmetry::planar, dim>(mesh, state, derived, velocity, parameters, work);
-    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, derived, velocity, parameters, work);
+      return smallest_time_step<Symmetry::planar, dim>(mesh, state, derived, velocity, parameters, work, exempt);
+    return smallest_time_step<Symmetry::axisymmetric, dim>(mesh, state, derived, velocity, parameters, work, exempt);
+  }
+
+  template <int dim>
+  std::vector<Index>
+  find_slivers(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+               const HydroParameters &parameters, const StepWork<dim> &work, double bound)
+  {
+    if (mesh.symmetry == Symmetry::planar)
+      return thin_cells<Symmetry::planar, dim>(mesh, state, derived, parameters, work, bound);
+    return thin_cells<Symmetry::axisymmetric, dim>(mesh, state, derived, parameters, work, bound);
   }
 
   template TimeStepLimit
   find_time_step<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::array<std::vector<double>, 2> &,
-                    const HydroParameters &, const StepWork<2> &);
+                    const HydroParameters &, const StepWork<2> &, std::span<const Index>);
+  template std::vector<Index>
+  find_slivers(const FlatMesh<2> &, const State<2> &, const Derived &, const HydroParameters &, const StepWork<2> &,
+               double);
 } // namespace whipple

@@ -32,7 +32,8 @@ namespace whipple
     if (!(ambient.impedance > 0 && density > ambient.density))
       return own;
     const double least = std::min(ambient.impedance, own), most = std::max(ambient.impedance, own) + steepening;
-    const double square = (stress - ambient.pressure) / (1. / ambient.density - 1. / density);
+    // the difference of densities is exact where that of volumes rounds to zero, beside the ambient density
+    const double square = (stress - ambient.pressure) * (ambient.density * density / (density - ambient.density));
     return std::clamp(std::sqrt(std::max(square, 0.)), least, most);
   }
 

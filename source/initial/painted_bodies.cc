@@ -37,7 +37,7 @@ namespace whipple
   PaintedBodies<dim>::check(MPI_Comm communicator)
   {
     ExactSum::reduce(received_, communicator);
-    if (scene_.mesh_map != MeshMap::none)
+    if (scene_.mesh_map != MeshMap::identity)
       return;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
       {
@@ -59,7 +59,7 @@ namespace whipple
   void
   check_entered(const Scene<dim> &scene, std::span<const std::size_t> bodies, const ConservedTotals<dim> &entered)
   {
-    if (scene.mesh_map != MeshMap::none)
+    if (scene.mesh_map != MeshMap::identity)
       return;
     constexpr int axis = dim - 1;
     double        mass = 0, momentum = 0, momentum_scale = 0, energy = 0, energy_scale = 0;

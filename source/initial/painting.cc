@@ -231,7 +231,7 @@ namespace whipple
       // on a mapped mesh bodies are cut on the lattice
       const double whole = state.volume[c];
       const double volume =
-          scene.mesh_map == MeshMap::none
+          scene.mesh_map == MeshMap::identity
               ? body_volume<dim>(mesh.symmetry, body.shape, lower, upper)
               : body_volume<dim>(Symmetry::planar, body.shape, lower, upper) / (mesh.size[c] * mesh.size[c]) * whole;
       if (volume < round_off_share * whole)

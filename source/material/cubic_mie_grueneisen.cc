@@ -34,8 +34,8 @@ namespace whipple
     }
   } // namespace
 
-  CubicMieGrueneisen::CubicMieGrueneisen(const Constants &constants)
-    : constants(constants)
+  CubicMieGrueneisen::CubicMieGrueneisen(const Constants &given_constants)
+    : constants(given_constants)
   {
     require_positive(name(), "density", constants.reference_density, "g/cm^3");
     require_positive(name(), "sound speed", constants.sound_speed, "cm/us");

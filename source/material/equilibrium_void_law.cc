@@ -9,8 +9,8 @@
 
 namespace whipple
 {
-  EquilibriumVoidLaw::EquilibriumVoidLaw(double spall_strength)
-    : spall_strength(spall_strength)
+  EquilibriumVoidLaw::EquilibriumVoidLaw(double given_spall_strength)
+    : spall_strength(given_spall_strength)
   {
     if (!(spall_strength >= 0.))
       {

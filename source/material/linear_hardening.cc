@@ -8,8 +8,8 @@
 
 namespace whipple
 {
-  LinearHardening::LinearHardening(const Constants &constants)
-    : constants(constants)
+  LinearHardening::LinearHardening(const Constants &given_constants)
+    : constants(given_constants)
   {
     require_positive(name(), "shear modulus", constants.shear_modulus, "Mbar");
     require_not_negative(name(), "yield stress", constants.yield_stress, "Mbar");

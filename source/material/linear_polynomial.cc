@@ -46,8 +46,8 @@ namespace whipple
     return expansion;
   }
 
-  LinearPolynomial::LinearPolynomial(const Constants &constants)
-    : constants(constants)
+  LinearPolynomial::LinearPolynomial(const Constants &given_constants)
+    : constants(given_constants)
   {
     require_positive(name(), "density", constants.reference_density, "g/cm^3");
     require_positive(name(), "c1", constants.c1, "Mbar");

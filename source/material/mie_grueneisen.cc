@@ -7,8 +7,8 @@
 
 namespace whipple
 {
-  MieGrueneisen::MieGrueneisen(const Constants &constants)
-    : constants(constants)
+  MieGrueneisen::MieGrueneisen(const Constants &given_constants)
+    : constants(given_constants)
   {
     require_positive(name(), "density", constants.reference_density, "g/cm^3");
     require_positive(name(), "sound speed", constants.sound_speed, "cm/us");

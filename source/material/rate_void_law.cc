@@ -8,9 +8,9 @@
 
 namespace whipple
 {
-  RateVoidLaw::RateVoidLaw(double alpha, double spall_strength)
-    : alpha(alpha)
-    , spall_strength(spall_strength)
+  RateVoidLaw::RateVoidLaw(double given_alpha, double given_spall_strength)
+    : alpha(given_alpha)
+    , spall_strength(given_spall_strength)
   {
     // Infinity has a meaning for both: equilibrium, and material that does not spall.
     std::ostringstream message;

@@ -6,8 +6,8 @@
 
 namespace whipple
 {
-  StiffenedGas::StiffenedGas(const Constants &constants)
-    : constants(constants)
+  StiffenedGas::StiffenedGas(const Constants &given_constants)
+    : constants(given_constants)
   {
     require_positive(name(), "density", constants.reference_density, "g/cm^3");
     require_positive(name(), "sound speed", constants.sound_speed, "cm/us");

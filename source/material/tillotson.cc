@@ -10,8 +10,8 @@
 
 namespace whipple
 {
-  Tillotson::Tillotson(const Constants &constants)
-    : constants(constants)
+  Tillotson::Tillotson(const Constants &given_constants)
+    : constants(given_constants)
   {
     require_positive(name(), "density", constants.reference_density, "g/cm^3");
     require_positive(name(), "hot Grueneisen coefficient", constants.hot_grueneisen, "");

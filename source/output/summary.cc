@@ -161,7 +161,6 @@ namespace whipple::summary
                                         {"releases", counts.releases},
                                         {"breaks", counts.breaks},
                                         {"rezones", counts.rezones},
-                                        {"floors", counts.floors},
                                         {"warnings", counts.warnings},
                                         {"events", json_of(counts.events)}}}};
     // names come from scene files: what is not UTF-8 in them must not cost a finished run its summary

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/key_arithmetic.h>
 #include <whipple/refinement/level_need.h>
-#include <whipple/refinement/smoothness.h>
+#include <whipple/scene/refinement_criterion.h>
 
 #include <algorithm>
 #include <array>
@@ -85,9 +85,11 @@ namespace whipple
   int
   LevelNeed<dim>::inside_body(const Body<dim> &body) const
   {
-    const int level  = of_body(body);
-    const int smooth = std::max(0, scene_.lattice.max_level - scene_.mesh.smooth_levels);
-    return !body.is_uniform() ? level : std::min(level, smooth);
+    const int level = of_body(body);
+    int       spare = 0;
+    for (const auto &criterion : scene_.mesh.criteria)
+      spare = std::max(spare, criterion->of_uniform_matter());
+    return !body.is_uniform() ? level : std::min(level, std::max(0, scene_.lattice.max_level - spare));
   }
 
   template <int dim>
@@ -120,25 +122,22 @@ namespace whipple
   LevelNeed<dim>::of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                            MPI_Comm communicator) const
   {
-    const MeshControl        &control = scene_.mesh;
-    const std::vector<double> change  = control.smooth_levels > 0
-                                            ? change_over_cells(mesh, state, derived, scene_.boundaries, communicator)
-                                            : std::vector<double>{};
-    std::vector<int>          level(mesh.n_owned, -1);
+    const CellsToJudge cells{mesh, state, derived, scene_.boundaries, scene_.lattice.spacing, communicator};
+    std::vector<int>   spare(mesh.n_owned, 0);
+    for (const auto &criterion : scene_.mesh.criteria)
+      {
+        const std::vector<int> own = criterion->spare_levels(cells);
+        for (Index c = 0; c < mesh.n_owned; ++c)
+          spare[c] = std::max(spare[c], own[c]);
+      }
+    std::vector<int> level(mesh.n_owned, -1);
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
         const double solid = solid_fraction(state, c);
         if (solid == 0.)
           continue;
-        int spare = is_quiet(mesh, state, derived, c) ? quiet_levels_ : 0;
-        if (!change.empty())
-          {
-            // a cell twice as large sees twice the change
-            const double per_finest = change[c] * scene_.lattice.spacing / mesh.size[c];
-            const double levels     = std::floor(std::log2(control.smooth_change / std::max(per_finest, 1e-300)));
-            spare = std::max(spare, static_cast<int>(std::clamp<double>(levels, 0, control.smooth_levels)));
-          }
-        level[c] = std::max(0, of_solid_fraction(solid) - spare);
+        const int quiet = is_quiet(mesh, state, derived, c) ? quiet_levels_ : 0;
+        level[c]        = std::max(0, of_solid_fraction(solid) - std::max(quiet, spare[c]));
       }
     return level;
   }

@@ -4,10 +4,10 @@
 namespace whipple
 {
   template <int dim>
-  SweepTopology<dim>::SweepTopology(const FlatMesh<dim> &mesh, const int axis)
-    : axis(axis)
-    , n_faces(mesh.faces[axis].size())
-    , faces(&mesh.faces[axis])
+  SweepTopology<dim>::SweepTopology(const FlatMesh<dim> &mesh, const int given_axis)
+    : axis(given_axis)
+    , n_faces(mesh.faces[given_axis].size())
+    , faces(&mesh.faces[given_axis])
     , weight_below(mesh.n_cells)
     , weight_above(mesh.n_cells)
   {

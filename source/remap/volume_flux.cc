@@ -152,10 +152,10 @@ namespace whipple
                              : reconstruction_.filled_share(state, content_[cell], cell, m, box.lower, box.upper);
             if (up_to_here > filled)
               {
-                const double part = up_to_here - filled;
-                filled            = up_to_here;
-                if (part * share > least_entry || !begins(state, faces.cell[upper_side ? 1 : 0][f], m))
-                  flux[m][f] = moved * part;
+                const double own = up_to_here - filled;
+                filled           = up_to_here;
+                if (own * share > least_entry || !begins(state, faces.cell[upper_side ? 1 : 0][f], m))
+                  flux[m][f] = moved * own;
               }
           }
       }

@@ -100,7 +100,7 @@ namespace whipple
                                        finest_equivalent_cells, elements, wall_s, cell_steps, cell_steps_per_s_per_rank,
                                        dt_limits)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
-    NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, retries, releases, breaks, rezones, floors, warnings, events)
+    NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, retries, releases, breaks, rezones, warnings, events)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Performance, wall_s, cpu_s, peak_rss_bytes, ranks, active_cell_steps)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summary, scene, stages, results, counts, performance)
   } // namespace summary
@@ -116,7 +116,7 @@ namespace whipple
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReportProgress, next_fields, next_statistics, fields, statistics_bytes,
                                      table_bytes, events_warned)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageProgress, begun, memory_of_end, last_time_step, ceiling, failed_until,
-                                     retries, since_regrid, spare_after_regrid, folded, history, contacts)
+                                     retries, since_regrid, spare_after_regrid, locked, locked_noted, history, contacts)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Books, stage, progress, ledger, summary, report, watches)
 
   // classes in a class are found by their own namespace only through their members

@@ -66,10 +66,10 @@ namespace whipple
 
   template <int dim>
   AgreedTimeStep
-  Cycle<dim>::time_step(const State<dim> &state, const Derived &derived)
+  Cycle<dim>::time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt)
   {
     const MPI_Comm communicator = halo_.communicator();
-    TimeStepLimit  limit        = lagrange_.time_step(state, derived);
+    TimeStepLimit  limit        = lagrange_.time_step(state, derived, exempt);
     if (remap_)
       if (const AdvectionLimit own = remap_->time_step(state); own.dt < limit.dt)
         limit = {own.dt, "advection", own.cell};
@@ -103,6 +103,13 @@ namespace whipple
       }
     MPI_Bcast(&news, sizeof news, MPI_BYTE, least.rank, communicator);
     return {least.dt, news.reason, {{news.place[0], news.place[1]}}};
+  }
+
+  template <int dim>
+  std::vector<Index>
+  Cycle<dim>::slivers(const State<dim> &state, const Derived &derived, double bound) const
+  {
+    return lagrange_.slivers(state, derived, bound);
   }
 
   template <int dim>
@@ -146,12 +153,13 @@ namespace whipple
 
   template <int dim>
   void
-  Cycle<dim>::advance(State<dim> &state, Derived &derived, double dt, int sweep_first, Ledger<dim> &ledger)
+  Cycle<dim>::advance(State<dim> &state, Derived &derived, double dt, int sweep_first,
+                      std::span<const RigidFragment<dim>> rigid, Ledger<dim> &ledger)
   {
     const MPI_Comm      communicator = halo_.communicator();
     LagrangeReport<dim> motion;
     agree(communicator, [&] {
-      motion = lagrange_.advance(state, derived, dt);
+      motion = lagrange_.advance(state, derived, dt, rigid);
       run_passes(state, derived, dt);
     });
     exchange(state);

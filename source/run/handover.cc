@@ -180,7 +180,7 @@ namespace whipple
                    std::span<const std::size_t>(stage.introduces), map);
     map.synchronise(domain.communicator());
     regridding_.build(domain, map);
-    if (scene_.mesh_map != MeshMap::none)
+    if (scene_.mesh_map != MeshMap::identity)
       map_nodes(scene_, domain);
     paint(stage, domain, ledger);
   }
@@ -260,6 +260,13 @@ namespace whipple
       }
     ledger.note("overlapping pieces laid down, solid moved to where there is room", report.spread.cells,
                 report.spread.volume, "cm^3");
+    ledger.note("void pressed out where pieces were laid into one cell", report.pores_squeezed > 0,
+                report.pores_squeezed, "cm^3");
+    // every rank knows all elements: these counts are those of all
+    ledger.note("folded elements laid down", static_cast<double>(report.folded_elements), 1., "times");
+    ledger.note("corners beyond the axis laid down as their mirror image", static_cast<double>(report.mirrored_corners),
+                1., "times");
+    ledger.note("slivers joined to a neighbour as all was laid anew", report.slivers.cells, report.slivers.mass, "g");
     ledger.leave(report.left_domain);
     ledger.gathered("projection", GatherReport<dim>{report.kinetic_loss, report.wall_impulse},
                     stage.lost_kinetic_energy);

@@ -49,7 +49,8 @@ namespace whipple
     , written_(MPI_Wtime())
     , polled_(written_)
   {
-    stop_signal = checkpoint_signal = 0;
+    stop_signal       = 0;
+    checkpoint_signal = 0;
     for (std::size_t i = 0; i < signals.size(); ++i)
       before_[i] = handle(signals[i]);
   }

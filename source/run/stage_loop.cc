@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/hydro/folding.h>
 #include <whipple/mesh/collective.h>
-#include <whipple/mesh/gather.h>
-#include <whipple/mesh/key_index.h>
-#include <whipple/run/bond_breaking.h>
 #include <whipple/run/run_view.h>
 #include <whipple/run/stage_loop.h>
 
@@ -28,41 +24,13 @@ namespace whipple
     /// Part of the active cells that coarsening must save to be worth a regrid of its own.
     constexpr double worthwhile_spare = 0.2;
 
-    /// Stable steps ahead for which elements may not fold.
-    constexpr double steps_ahead = 1.5;
-
-    /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
-    /// mesh that folds is left to itself.
-    template <int dim>
-    bool
-    holds_pieces(const State<dim> &state)
-    {
-      return std::all_of(state.material.begin(), state.material.end(),
-                         [](const MaterialState &material) { return material.has_voids(); });
-    }
-
-    /// Owned cells of these keys.
-    template <int dim>
-    std::vector<Index>
-    cells_with_keys(const FlatMesh<dim> &mesh, const std::vector<CellKey> &keys)
-    {
-      std::vector<Index> cells;
-      if (keys.empty())
-        return cells;
-      const KeyIndex wanted(keys);
-      for (Index c = 0; c < mesh.n_owned; ++c)
-        if (wanted.contains(mesh.key[c]))
-          cells.push_back(c);
-      return cells;
-    }
-
     /// The reflecting sides, where they are planes of the lattice.
     template <int dim>
     RigidWalls<dim>
     rigid_walls(const Scene<dim> &scene)
     {
       RigidWalls<dim> walls;
-      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::none; ++side)
+      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::identity; ++side)
         {
           walls.there[side]    = scene.boundaries[side].kind == BoundaryKind::reflecting;
           walls.position[side] = side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2];
@@ -99,6 +67,7 @@ namespace whipple
     cycle_->evaluate(run_.domain.state, run_.domain.derived);
     guard_ = Regridding<dim>::guard_cells(mesh);
     cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
+    find_locked();
   }
 
   template <int dim>
@@ -129,25 +98,6 @@ namespace whipple
     run_.books.ledger.gathered("regrid", regridding_.regrid(run_.domain, loss), loss);
     new_mesh();
     check("a regrid");
-  }
-
-  template <int dim>
-  bool
-  StageLoop<dim>::bonds_break()
-  {
-    StageProgress &progress = run_.books.progress;
-    if (stage_.cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
-      return false;
-    progress.since_regrid         = 0;
-    const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, run_.domain);
-    if (report.broken == 0)
-      return false;
-    run_.books.summary.counts.breaks += report.broken;
-    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
-    new_mesh();
-    check("breaking of bonds");
-    return true;
   }
 
   template <int dim>
@@ -192,7 +142,7 @@ namespace whipple
   void
   StageLoop<dim>::find_limit()
   {
-    limit_ = cycle_->time_step(run_.domain.state, run_.domain.derived);
+    limit_ = cycle_->time_step(run_.domain.state, run_.domain.derived, locked_);
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
@@ -225,129 +175,18 @@ namespace whipple
   }
 
   template <int dim>
-  bool
-  StageLoop<dim>::release()
-  {
-    Domain<dim>             &domain = run_.domain;
-    const std::vector<Index> folded = cells_with_keys(domain.view->mesh, run_.books.progress.folded);
-    const ReleaseReport<dim> report =
-        release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, folded);
-    const GatherReport<dim> all =
-        sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
-    run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
-    const long released = static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
-    run_.books.summary.counts.releases += released;
-    return released > 0;
-  }
-
-  template <int dim>
-  bool
-  StageLoop<dim>::free_folding()
-  {
-    Domain<dim>   &domain       = run_.domain;
-    const MPI_Comm communicator = domain.communicator();
-    if (stage_.cohesion == Cohesion::fragments || !holds_pieces(domain.state))
-      return false;
-    std::vector<Index>       cells  = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
-    const std::vector<Index> folded = cells_with_keys(domain.view->mesh, run_.books.progress.folded);
-    cells.insert(cells.end(), folded.begin(), folded.end());
-    if (max_over_ranks(static_cast<double>(cells.size()), communicator) == 0)
-      return false;
-    double mass = 0;
-    for (const Index c : cells)
-      mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
-    const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
-    if (report.broken == 0)
-      return false;
-    run_.books.summary.counts.breaks += report.broken;
-    run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
-                           sum_over_ranks(mass, communicator), "g");
-    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
-    new_mesh();
-    check("freeing of elements");
-    return true;
-  }
-
-  template <int dim>
-  void
-  StageLoop<dim>::refuse_folded()
-  {
-    const Domain<dim>       &domain   = run_.domain;
-    const FlatMesh<dim>     &mesh     = domain.view->mesh;
-    StageProgress           &progress = run_.books.progress;
-    const std::vector<Index> cells    = folded_cells(mesh, domain.state);
-    std::vector<CellKey>     keys;
-    for (const Index c : cells)
-      keys.push_back(mesh.key[c]);
-    keys                     = gather_all<CellKey>(domain.communicator(), keys).entry;
-    const std::size_t number = keys.size(), known = progress.folded.size();
-    if (number == 0)
-      return;
-    for (const CellKey key : keys)
-      if (std::find(progress.folded.begin(), progress.folded.end(), key) == progress.folded.end())
-        progress.folded.push_back(key);
-    if (progress.folded.size() > known)
-      progress.retries = 0; // what has folded now will be free in the next try: not the same again
-    agree(domain.communicator(), [&] {
-      if (cells.empty())
-        return;
-      const Index n = mesh.cell_node[cells[0] * FlatMesh<dim>::corners];
-      throw StateError("the step folded " + std::to_string(number) + " elements, one of them at (" +
-                       std::to_string(domain.state.position[0][n]) + ", " +
-                       std::to_string(domain.state.position[1][n]) + ") cm");
-    });
-  }
-
-  template <int dim>
-  bool
-  StageLoop<dim>::meet()
-  {
-    StageProgress &progress = run_.books.progress;
-    Ledger<dim>   &ledger   = run_.books.ledger;
-    Domain<dim>   &domain   = run_.domain;
-    const long     steps    = run_.record().steps;
-    if (!progress.contacts.due(steps) || !holds_pieces(domain.state))
-      return false;
-    const KineticLoss        loss   = stage_.lost_kinetic_energy;
-    const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
-    progress.contacts.looked(steps, progress.last_time_step, report);
-    if (report.joined > 0)
-      {
-        ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
-                    report.gathered.kinetic_loss, "Mbar cm^3");
-        ledger.gathered("contact", report.gathered, loss);
-        cycle_->refresh(domain.state, domain.derived);
-      }
-    bool anew = false;
-    if (overlap_is_deep(report))
-      {
-        anew = handover_.lay_anew(stage_, domain, ledger);
-        ledger.note(anew ? "elements deep in one another, all laid anew"
-                         : "elements deep in one another that find no room in the domain",
-                    static_cast<double>(report.deep), 1., "times");
-      }
-    if (anew)
-      {
-        ++run_.books.summary.counts.rezones;
-        new_mesh();
-        progress.folded.clear();
-      }
-    if (report.joined > 0 || anew)
-      check("contact of elements");
-    return anew;
-  }
-
-  template <int dim>
   void
   StageLoop<dim>::step(double left)
   {
     Domain<dim> &domain = run_.domain;
     Ledger<dim> &ledger = run_.books.ledger;
     find_limit();
+    std::vector<RigidFragment<dim>> rigid;
     if (stage_.mode == StageMode::lagrangian)
       {
-        const bool freed = free_folding(), released = release();
+        if (lock_slivers())
+          find_limit();
+        const bool freed = free_folding(), released = release(rigid);
         if (released)
           cycle_->evaluate(domain.state, domain.derived); // heated: other pressures and strengths
         if (freed || released)
@@ -365,8 +204,8 @@ namespace whipple
         run_.books.progress.retries < numerics.injected_failures)
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
-    cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), ledger);
-    if (stage_.mode == StageMode::lagrangian && holds_pieces(domain.state))
+    cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
+    if (stage_.mode == StageMode::lagrangian && holds_pieces())
       refuse_folded();
     const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     ledger.check(present, "a step", round_off);
@@ -412,10 +251,11 @@ namespace whipple
       use_mesh();
     else
       cycle_->evaluate(run_.domain.state, run_.domain.derived);
-    progress.ceiling                  = retry_factor * tried_dt_;
-    progress.failed_until             = until;
-    progress.retries                  = failed.retries;
-    progress.folded                   = failed.folded;
+    progress.ceiling      = retry_factor * tried_dt_;
+    progress.failed_until = until;
+    progress.retries      = failed.retries;
+    progress.locked       = failed.locked;
+    find_locked();
     run_.books.summary.counts.retries = retries;
     if (progress.retries >= most_retries)
       {
@@ -433,11 +273,11 @@ namespace whipple
   StageLoop<dim>::stand()
   {
     StageProgress &progress = run_.books.progress;
+    note_locked();
     if (run_.domain.state.time >= progress.failed_until)
       {
         progress.retries = 0;
         progress.ceiling = std::numeric_limits<double>::infinity();
-        progress.folded.clear();
       }
     run_.record().wall_s               = MPI_Wtime() - wall_start_;
     run_.books.summary.counts.warnings = reporter_.log().warnings();

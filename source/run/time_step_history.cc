@@ -18,6 +18,14 @@ namespace whipple
       return *std::max_element(steps.begin() + begin, steps.begin() + end);
     }
 
+    double
+    median(std::vector<double> steps)
+    {
+      const auto middle = steps.begin() + steps.size() / 2;
+      std::nth_element(steps.begin(), middle, steps.end());
+      return *middle;
+    }
+
     std::string
     describe(double now, const char *of, double then, std::size_t steps)
     {
@@ -44,11 +52,22 @@ namespace whipple
     const double      first  = largest(steps_, 0, first_steps);
     if (now < below_first * first)
       return describe(now, "its first steps", first, window);
-    std::vector<double> earlier(steps_.begin(), steps_.begin() + before);
-    std::nth_element(earlier.begin(), earlier.begin() + before / 2, earlier.end());
-    const double median = earlier[before / 2];
-    if (now < below_median * median)
-      return describe(now, "the stage's median", median, window);
+    const double usual = median({steps_.begin(), steps_.begin() + before});
+    if (now < below_median * usual)
+      return describe(now, "the stage's median", usual, window);
     return std::nullopt;
+  }
+
+  double
+  TimeStepHistory::typical()
+  {
+    const std::size_t full = steps_.size() / window * window;
+    if (full != asked_at_)
+      {
+        asked_at_ = full;
+        typical_ =
+            full == 0 ? 0. : std::max(median({steps_.begin(), steps_.begin() + full}), largest(steps_, 0, first_steps));
+      }
+    return typical_;
   }
 } // namespace whipple

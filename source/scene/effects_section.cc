@@ -3,6 +3,7 @@
 #include <whipple/error.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/material_effects.h>
+#include <whipple/scene/refinement_criterion.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
@@ -66,6 +67,31 @@ namespace whipple::sections
                      "listed beside it");
   }
 
+  namespace
+  {
+    /// @throws InputError if a criterion of refinement looks at a field that no effect of the scene carries
+    template <int dim>
+    void
+    check_criteria(SceneParameters &parameters, const Scene<dim> &scene)
+    {
+      for (const auto &criterion : scene.mesh.criteria)
+        {
+          const auto [key, wanted] = criterion->carried_field();
+          bool        found        = key.empty();
+          std::string names        = "density, pressure, speed, specific internal energy, void fraction";
+          for (const EffectDescription &effect : effect_descriptions())
+            for (const FieldDescription &field : effect.fields)
+              if (scene.has_effect(effect.name))
+                {
+                  found = found || field.name == wanted;
+                  names += ", " + field.name;
+                }
+          if (!found)
+            SceneSection(parameters, "Mesh").reject(key, "no such field in this scene; allowed are " + names);
+        }
+    }
+  } // namespace
+
   template <int dim>
   void
   read_effects(SceneParameters &parameters, Scene<dim> &scene)
@@ -96,6 +122,7 @@ namespace whipple::sections
       }
     if (contains(listed, automatic))
       section.replace("List", joined(scene.effects));
+    check_criteria(parameters, scene);
   }
 
   template void

@@ -281,7 +281,7 @@ namespace whipple::sections
           section.reject(coordinate_unit, "needs an expression");
         return;
       }
-    if (scene.mesh_map != MeshMap::none)
+    if (scene.mesh_map != MeshMap::identity)
       section.reject(given[0], "on a mapped mesh bodies are given on the lattice; allowed is an exact solution, or "
                                "Geometry/Mesh map = none");
     exact::PointState<dim> uniform;

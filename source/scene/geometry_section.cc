@@ -102,7 +102,7 @@ namespace whipple::sections
       scene.boundaries[side] = read_boundary<dim>(section, side_names[side]);
 
     scene.mesh_map = section.choice<MeshMap>(
-        "Mesh map", {{"none", MeshMap::none}, {"saltzman", MeshMap::saltzman}, {"polar", MeshMap::polar}});
+        "Mesh map", {{"none", MeshMap::identity}, {"saltzman", MeshMap::saltzman}, {"polar", MeshMap::polar}});
     if (scene.mesh_map == MeshMap::polar)
       {
         read_polar_sides<dim>(section, scene);
@@ -122,7 +122,7 @@ namespace whipple::sections
   void
   check_mesh_map(SceneParameters &parameters, const Scene<dim> &scene)
   {
-    if (scene.mesh_map == MeshMap::none)
+    if (scene.mesh_map == MeshMap::identity)
       return;
     const SceneSection section(parameters, path);
     for (const Stage &stage : scene.stages)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/scene/refinement_criterion.h>
 #include <whipple/scene/sections.h>
 
 #include <cmath>
@@ -38,11 +39,9 @@ namespace whipple::sections
     section.declare("Distended ratio", "0.25", "and one level more for each factor of this below the threshold");
     section.declare("Quiet levels", "2", "levels that solid material gives up where nothing has reached it yet");
     section.declare("Quiet velocity", "1 m/s", "velocity, and stress over impedance, below which nothing has");
-    section.declare("Smooth levels", "0", "levels that material gives up where its state hardly changes over a cell");
-    section.declare(
-        "Smooth change", "1 %",
-        "change of density, pressure, momentum density over a cell, as a part of the largest in the scene, that is "
-        "hardly one");
+    for (const auto &[name, criterion] : RefinementCriteria::all())
+      for (const CriterionEntry &entry : criterion.entries)
+        section.declare(entry.key, entry.default_value, entry.documentation);
     section.declare("Region", "", "with Refinement = region: 'lower corner, upper corner' of the box of finest cells");
     section.declare("Region levels", "1", "with Refinement = region: levels that cells outside the box give up");
   }
@@ -108,8 +107,15 @@ namespace whipple::sections
     scene.mesh.solid_ratio    = section.between("Distended ratio", units::number, 1e-3, 0.9);
     scene.mesh.quiet_levels   = section.integer("Quiet levels", 0, max_levels);
     scene.mesh.quiet_velocity = section.positive("Quiet velocity", units::velocity);
-    scene.mesh.smooth_levels  = section.integer("Smooth levels", 0, max_levels);
-    scene.mesh.smooth_change  = section.between("Smooth change", units::number, 1e-9, 1);
+    CriterionInput input;
+    input.text    = [&](const std::string &key) { return section.text(key); };
+    input.integer = [&](const std::string &key, int low, int high) { return section.integer(key, low, high); };
+    input.number  = [&](const std::string &key, double low, double high) {
+      return section.between(key, units::number, low, high);
+    };
+    for (const auto &[name, criterion] : RefinementCriteria::all())
+      if (auto read = criterion.read(input))
+        scene.mesh.criteria.push_back(std::move(read));
     read_region(section, scene.mesh, lattice.max_level);
   }
 

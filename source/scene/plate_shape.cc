@@ -11,10 +11,10 @@
 namespace whipple
 {
   template <int dim>
-  Plate<dim>::Plate(double front, double thickness, double half_width)
-    : front(front)
-    , thickness(thickness)
-    , half_width(half_width)
+  Plate<dim>::Plate(double given_front, double given_thickness, double given_half_width)
+    : front(given_front)
+    , thickness(given_thickness)
+    , half_width(given_half_width)
   {
   }
 

@@ -114,7 +114,7 @@ namespace whipple
         return rounded(length / cell) + " finest cells of " + units::format(cell, units::length);
       };
       std::vector<std::string> lines;
-      if (scene.mesh_map != MeshMap::none) // lengths on the lattice are not lengths in space
+      if (scene.mesh_map != MeshMap::identity) // lengths on the lattice are not lengths in space
         return lines;
       Worst thin, coarse; // one line for all bodies of a kind
       for (const Body<dim> &body : scene.bodies)

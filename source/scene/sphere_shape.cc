@@ -72,9 +72,9 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  Sphere<dim>::Sphere(const Vector<dim> &center, double diameter)
-    : center(center)
-    , diameter(diameter)
+  Sphere<dim>::Sphere(const Vector<dim> &given_center, double given_diameter)
+    : center(given_center)
+    , diameter(given_diameter)
   {
   }
 

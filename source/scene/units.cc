@@ -70,6 +70,17 @@ namespace whipple::units
       return true;
     }
 
+    /// A text as a message of one line can hold it: control characters (a table's attribute may have any) as blanks.
+    std::string
+    quoted(std::string_view text)
+    {
+      std::string result = "'" + std::string(text) + "'";
+      for (char &c : result)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+          c = ' ';
+      return result;
+    }
+
     const Unit &
     find_unit(std::string_view symbol)
     {
@@ -83,8 +94,7 @@ namespace whipple::units
           if (same_letters(symbol, unit.symbol))
             near += (near.empty() ? " (did you mean '" : "' or '") + std::string(unit.symbol);
         }
-      throw InputError("unknown unit '" + std::string(symbol) + "'" + (near.empty() ? "" : near + "'?)") +
-                       "; units are " + all);
+      throw InputError("unknown unit " + quoted(symbol) + (near.empty() ? "" : near + "'?)") + "; units are " + all);
     }
 
     /// Product of powers of units: (numerator / denominator) * 10^exponent.
@@ -133,8 +143,7 @@ namespace whipple::units
       [[noreturn]] void
       fail() const
       {
-        throw InputError("unit '" + std::string(text_) +
-                         "' cannot be read; write units like cm, km/s, g/cm^3, J/(kg K)");
+        throw InputError("unit " + quoted(text_) + " cannot be read; write units like cm, km/s, g/cm^3, J/(kg K)");
       }
 
       /// Powers of powers stay small enough that the next one does not overflow.
@@ -302,8 +311,7 @@ namespace whipple::units
     if (unit.empty() && quantity.dimension != Dimension{})
       throw InputError("the unit is missing; allowed is " + wanted(quantity));
     if (scale.dimension != quantity.dimension)
-      throw InputError("'" + std::string(unit) + "' is not a unit of " + quantity.name + "; allowed is " +
-                       wanted(quantity));
+      throw InputError(quoted(unit) + " is not a unit of " + quantity.name + "; allowed is " + wanted(quantity));
     const double value = shifted(digits, scale.exponent) * scale.numerator / scale.denominator;
     if (!std::isfinite(value))
       throw InputError("the number is too large or too small; allowed is " + wanted(quantity));

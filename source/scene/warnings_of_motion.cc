@@ -186,7 +186,7 @@ namespace whipple::warnings
     const std::vector<std::size_t> entering = present_bodies(scene).back();
     const std::vector<double>      times    = stage_times(scene);
     const double                   end      = times.back();
-    if (!std::isfinite(end) || scene.mesh_map != MeshMap::none)
+    if (!std::isfinite(end) || scene.mesh_map != MeshMap::identity)
       return lines;
     First flight, debris; // one line each: the first to reach a side
     for (std::size_t s = 0; s < scene.stages.size(); ++s)

@@ -110,6 +110,8 @@ def solid(r, voids):
         material["Thermal model"] = "constant specific heat"
     if material.get("Thermal model") == "constant specific heat" and library in CONDUCTS and r.random() < 0.3:
         material["Conduction"] = "constant conductivity"
+    if material.get("Failure") == "johnson-cook damage":
+        material.setdefault("Thermal model", "constant specific heat")  # its ductility depends on temperature
     return material
 
 

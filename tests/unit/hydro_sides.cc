@@ -3,6 +3,7 @@
 #include "fastest_node.h"
 #include "hydro_case.h"
 
+#include <whipple/hydro/transmitting_side.h>
 #include <whipple/material/ideal_gas.h>
 
 namespace
@@ -112,9 +113,11 @@ namespace
     const auto   report = run(step, box.state, 0.2);
     for (Index n = 0; n < box.mesh.n_nodes; ++n)
       if (box.mesh.node_side[n] >> 1 & 1)
-        for (int d = 0; d < 2; ++d)
-          EXPECT_EQ(box.state.velocity[d][n],
-                    d == 1 && (box.mesh.node_side[n] & 12) ? 0. : start[d][n]); // held at the corners of the box
+        {
+          for (int d = 0; d < 2; ++d)
+        }
+    EXPECT_EQ(box.state.velocity[d][n],
+              d == 1 && (box.mesh.node_side[n] & 12) ? 0. : start[d][n]); // held at the corners of the box
     EXPECT_GT(report.boundary_work, 0.1);
     EXPECT_NEAR(totals(box.state).energy, before.energy + report.boundary_work, 1e-13 * before.energy);
   }
@@ -147,5 +150,28 @@ namespace
     boundaries[1].kind = BoundaryKind::inflow;
     EXPECT_EQ(ruling_side<2>(boundaries, 1 << 3 | 1 << 1, 0), 3); // a wall is stronger than a piston
     EXPECT_EQ(ruling_side<2>(boundaries, 1 << 3 | 1 << 1, 1), 1);
+  }
+
+  // The slope of a chord has no value where its ends meet: one round-off beside the ambient, under any stress (a trace
+  // has none), it lies between the impedances of the ends.
+  TEST(HydroSides, TheImpedanceIsANumberBesideTheAmbientDensity)
+  {
+    constexpr double ambient_density = 1.85, sound = 0.8;
+    const BeyondSide ambient{0., ambient_density, ambient_density * sound};
+    double           above = ambient_density;
+    for (int i = 0; i < 4; ++i)
+      {
+        above = std::nextafter(above, 2.);
+        for (const double own : {0., 0.5 * sound, 2. * sound})
+          for (const double stress : {-1e-3, 0., 1e-3})
+            {
+              const double z = secant_impedance(ambient, stress, above, own, 0.);
+              EXPECT_GE(z, std::min(ambient.impedance, above * own));
+              EXPECT_LE(z, std::max(ambient.impedance, above * own));
+            }
+      }
+    // P = rho0 c^2 (1 - rho0 / rho): a straight line in the plane of stress and volume, everywhere of slope (rho0 c)^2
+    const double density = 1.1 * ambient_density, stress = ambient_density * sound * sound * (1. - 1. / 1.1);
+    EXPECT_NEAR(secant_impedance(ambient, stress, density, sound, 0.), ambient.impedance, 1e-14);
   }
 } // namespace

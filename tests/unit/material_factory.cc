@@ -100,7 +100,9 @@ namespace whipple
                 EXPECT_EQ(known->second, constant.quantity) << constant.key;
                 EXPECT_FALSE(constant.documentation.empty()) << constant.key;
                 if (constant.default_value)
-                  EXPECT_TRUE(constant.range.contains(*constant.default_value)) << constant.key;
+                  {
+                    EXPECT_TRUE(constant.range.contains(*constant.default_value)) << constant.key;
+                  }
               }
             for (const PublishedConstants &published : model.published)
               for (const auto &[key, value] : published.constants)

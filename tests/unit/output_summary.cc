@@ -63,7 +63,7 @@ namespace
         EXPECT_TRUE(json["ledger"][quantity].contains(key)) << quantity << ' ' << key;
     for (const char *key : {"wall_s", "cpu_s", "peak_rss_bytes", "ranks", "active_cell_steps"})
       EXPECT_TRUE(json["performance"][key].is_number()) << key;
-    for (const char *key : {"retries", "releases", "rezones", "floors", "warnings"})
+    for (const char *key : {"retries", "releases", "rezones", "warnings"})
       EXPECT_TRUE(json["counts"][key].is_number_integer()) << key;
   }
 

@@ -57,6 +57,7 @@ namespace
     statistics.write(second);
     EXPECT_THROW(statistics.write(renamed), Error);
     EXPECT_THROW(statistics.write(std::span(first).first(2)), Error);
+    statistics.keep();
     statistics.flush();
 
     std::istringstream table(content("statistics.csv"));

@@ -191,7 +191,9 @@ TEST(SpreadExcess, APlateThatIsThereStaysAndThrowsBackWhatWasLaidIntoIt)
     {
       const double y = pile.mesh.lower[1][c] + 0.3 + 0.05;
       if (y > 0.4)
-        EXPECT_LE(pile.laid.motion[c].mass, 1.1e-6 * 7.9 * pile.state.volume[c]) << "in or behind the plate, " << y;
+        {
+          EXPECT_LE(pile.laid.motion[c].mass, 1.1e-6 * 7.9 * pile.state.volume[c]) << "in or behind the plate, " << y;
+        }
       EXPECT_LE(pile.fill(c), 1. + 1.0001e-6);
     }
 }
@@ -207,7 +209,9 @@ TEST(SpreadExcess, ClosedCellsTakeNothing)
   EXPECT_EQ(pile.spread().cells, 1.);
   for (Index c = 0; c < pile.mesh.n_cells; ++c)
     if (pile.closed[c])
-      EXPECT_EQ(pile.laid.motion[c].mass, 0.);
+      {
+        EXPECT_EQ(pile.laid.motion[c].mass, 0.);
+      }
 }
 
 TEST(SpreadExcess, WhatFindsNoRoomIsRefusedWithTheNumbers)

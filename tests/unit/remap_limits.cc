@@ -93,7 +93,8 @@ TEST(RemapLimits, PistonKeepsItsVelocityAndItsWorkIsBooked)
 {
   const Mesh             mesh  = uniform_mesh(Symmetry::planar, 0.01, {8, 8});
   whipple::Boundaries<2> sides = boundaries(BoundaryKind::transmitting);
-  sides[0]                     = {BoundaryKind::inflow, {0.4, 0.}};
+  sides[0].kind                = BoundaryKind::inflow;
+  sides[0].velocity            = {0.4, 0.};
   whipple::DirectionalRemap<2>  remap(mesh, sides, {});
   State<2>                      state  = moving_block(mesh, 0.5, 0.003, 0.4);
   const Totals                  before = totals(state);

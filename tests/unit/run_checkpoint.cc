@@ -39,7 +39,8 @@ namespace
     books.progress.retries            = 4;
     books.progress.since_regrid       = 7;
     books.progress.spare_after_regrid = 0.1;
-    books.progress.folded             = {0xfedcba9876543210u, 1};
+    books.progress.locked             = {0xfedcba9876543210u, 1};
+    books.progress.locked_noted       = 1;
     books.progress.history            = TimeStepHistory({0.1, 0x1p-1074, 3.});
     books.progress.contacts           = ContactSchedule(123456789012345);
     ConservedTotals<2> amount;
@@ -72,7 +73,8 @@ namespace
     const auto bytes = to_cbor(books);
     const auto again = books_from_cbor(bytes);
     EXPECT_EQ(to_cbor(again), bytes);
-    EXPECT_EQ(again.progress.folded, books.progress.folded);
+    EXPECT_EQ(again.progress.locked, books.progress.locked);
+    EXPECT_EQ(again.progress.locked_noted, 1u);
     EXPECT_EQ(again.progress.memory_of_end, books.progress.memory_of_end);
     EXPECT_EQ(again.progress.ceiling, HUGE_VAL);
     EXPECT_EQ(again.progress.history.steps(), books.progress.history.steps());

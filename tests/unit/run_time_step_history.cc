@@ -47,6 +47,24 @@ namespace
       }
   }
 
+  TEST(TimeStepHistory, KnowsWhatIsTypical)
+  {
+    TimeStepHistory history;
+    history.add(2e-3);
+    for (int i = 1; i < 99; ++i)
+      history.add(1e-3);
+    EXPECT_EQ(history.typical(), 0.);
+    history.add(1e-3);
+    EXPECT_EQ(history.typical(), 2e-3); // the first
+    for (int i = 0; i < 99; ++i)
+      history.add(5e-3);
+    EXPECT_EQ(history.typical(), 2e-3); // looks again at the 200th
+    history.add(5e-3);
+    EXPECT_EQ(history.typical(), 5e-3);
+    TimeStepHistory again(history.steps());
+    EXPECT_EQ(again.typical(), 5e-3);
+  }
+
   TEST(TimeStepHistory, GoesOnFromStepsMadeBefore)
   {
     TimeStepHistory history;

@@ -26,6 +26,17 @@ namespace
     return "";
   }
 
+  TEST(SceneUnits, AMessageIsOneLineWhateverIsWritten)
+  {
+    for (const std::string text : {"1 cm\n/s", "1 /\n\ts", "1 \x0e\r\x7f", "\n1"})
+      {
+        const std::string message = complaint(text, units::velocity);
+        EXPECT_FALSE(message.empty());
+        for (const char c : message)
+          EXPECT_GE(static_cast<unsigned char>(c), 0x20) << message;
+      }
+  }
+
   // Decimal units are exact: the result is the double nearest to the decimal value.
   TEST(SceneUnits, DecimalUnitsAreExact)
   {

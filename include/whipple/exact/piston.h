@@ -28,10 +28,10 @@ namespace whipple::exact
     /// @param loading what gives the material at rest, the fronts of a piston and the speed of waves: UniaxialLoading,
     ///        CompactionLoading.
     template <class Loading>
-    Piston(const Loading &loading, const Constants &constants)
+    Piston(const Loading &loading, const Constants &given_constants)
       : Piston(
-            loading.initial(), loading.fronts(constants.velocity),
-            [&loading](const LoadedState &state) { return loading.wave_speed(state); }, constants)
+            loading.initial(), loading.fronts(given_constants.velocity),
+            [&loading](const LoadedState &state) { return loading.wave_speed(state); }, given_constants)
     {
     }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <whipple/hydro/folding.h>
+#include <whipple/hydro/node_motion.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/state/fields.h>
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace whipple
 {
@@ -22,9 +24,10 @@ namespace whipple
   template <int dim>
   struct ReleaseReport
   {
-    Index       released     = 0; ///< fragments newly made rigid
-    double      kinetic_loss = 0; ///< Mbar cm^3 of relative motion turned into heat
-    Vector<dim> wall_impulse{};   ///< g cm/us given to walls that fragments meet (at the axis: radial)
+    Index       released     = 0;          ///< fragments newly made rigid
+    double      kinetic_loss = 0;          ///< Mbar cm^3 of relative motion turned into heat
+    Vector<dim> wall_impulse{};            ///< g cm/us given to walls that fragments meet (at the axis: radial)
+    std::vector<RigidFragment<dim>> rigid; ///< that must keep their shape in the next step, ordered by cell
   };
 
   /// Keep independent fragments from folding: one whose motion over the next dt would bring a corner Jacobian below
@@ -32,7 +35,10 @@ namespace whipple
   /// corners take the velocity of its centre of mass (at the axis and at a wall: without its normal part). Mass, axial
   /// momentum (the walls' share is reported) and total energy are kept: the kinetic energy of the relative motion heats
   /// the fragment. Of cells that share no node with others; those that do are left alone.
-  /// @param forced owned cells that stop deforming in any case, if they share no nodes
+  /// @param forced owned cells, in ascending order, that stop deforming in any case, if they share no nodes, and keep
+  /// their
+  ///        shape in the step (as what is about to go through something does): at the point of folding the forces of
+  ///        one step may be enough
   template <int dim>
   ReleaseReport<dim>
   release_fragments(const FlatMesh<dim> &mesh, const RigidWalls<dim> &walls, State<dim> &state, double dt,

@@ -12,6 +12,7 @@
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
+#include <span>
 #include <vector>
 
 namespace whipple
@@ -33,6 +34,11 @@ namespace whipple
   void
   initialise_geometry(const FlatMesh<dim> &mesh, State<dim> &state);
 
+  /// Lumped node masses, g, from masses and corner weights of the cells: hanging nodes give theirs to their masters.
+  template <int dim>
+  void
+  lump_masses(const FlatMesh<dim> &mesh, State<dim> &state);
+
   /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
   /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
   ///
@@ -47,8 +53,7 @@ namespace whipple
     LagrangeStep(const FlatMesh<dim> &mesh, const std::vector<Material> &materials, const Boundaries<dim> &boundaries,
                  const HydroParameters &parameters);
 
-    /// Lumped node masses, g: corner weights times the mass of the cell; hanging nodes give theirs to
-    /// their masters.
+    /// lump_masses()
     void
     update_node_mass(State<dim> &state) const;
 
@@ -64,16 +69,21 @@ namespace whipple
     void
     evaluate_strength(const State<dim> &state, Derived &derived);
 
-    /// The largest time step that the owned cells allow.
+    /// The largest time step that the owned cells allow, but for those that keep their shape.
     /// @param derived of this state
     TimeStepLimit
-    time_step(const State<dim> &state, const Derived &derived);
+    time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt = {});
+
+    /// find_slivers()
+    std::vector<Index>
+    slivers(const State<dim> &state, const Derived &derived, double bound) const;
 
     /// Move the state by dt [us]. Strong guarantee: when it throws, the state is as before.
     /// @param derived of the state before the step
+    /// @param rigid elements that keep their shape
     /// @throws StateError if the volume of an owned cell or of a material in it would not stay positive.
     LagrangeReport<dim>
-    advance(State<dim> &state, const Derived &derived, double dt);
+    advance(State<dim> &state, const Derived &derived, double dt, std::span<const RigidFragment<dim>> rigid = {});
 
     /// What the last advance() started from, where it has successors: volumes, densities, energies, stresses and
     /// plastic strains of the materials, positions and velocities of the nodes.

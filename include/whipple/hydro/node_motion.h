@@ -8,6 +8,8 @@
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/state/fields.h>
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace whipple
@@ -18,6 +20,15 @@ namespace whipple
   {
     double      work = 0;   ///< Mbar cm^3
     Vector<dim> momentum{}; ///< g cm/us
+  };
+
+  /// An element that shares no node with others, all of whose corners have one velocity, and that keeps its shape in a
+  /// step (doc/theory/stages.md, "Fragments").
+  template <int dim>
+  struct RigidFragment
+  {
+    Index                 cell;
+    std::array<bool, dim> held{}; ///< along which axes it may not move; it has no velocity there
   };
 
   /// Nodes: forces from corners, sides of the domain, velocity and position.
@@ -53,7 +64,7 @@ namespace whipple
     /// Sum corner forces over nodes (hanging nodes hand theirs to their masters), accelerate, apply the sides,
     /// move: work.velocity, work.mean_velocity, work.position.
     BoundaryExchange<dim>
-    move(const State<dim> &state, double dt, StepWork<dim> &work);
+    move(const State<dim> &state, double dt, std::span<const RigidFragment<dim>> rigid, StepWork<dim> &work);
 
   private:
     /// A face of a cell on a side that absorbs or presses.
@@ -91,6 +102,10 @@ namespace whipple
     accelerate_loaded(const State<dim> &state, double dt, StepWork<dim> &work);
     void
     sum_corner_forces(StepWork<dim> &work) const;
+    /// All corners of a rigid fragment take its momentum together; what holds it takes the rest.
+    void
+    keep_shapes(const State<dim> &state, std::span<const RigidFragment<dim>> rigid, StepWork<dim> &work,
+                BoundaryExchange<dim> &exchange) const;
     void
     constrain(const State<dim> &state, double dt, StepWork<dim> &work, BoundaryExchange<dim> &exchange) const;
 

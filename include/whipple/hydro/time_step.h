@@ -5,7 +5,9 @@
 #include <whipple/hydro/step_work.h>
 #include <whipple/state/derived.h>
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace whipple
 {
@@ -21,9 +23,17 @@ namespace whipple
   /// max_volume_change / |div v|; d = 2 c2 |du| + c1 c in compression, scaled with the part of it that the materials
   /// take beside open void; c^2 = max(c_bulk^2, |P| / rho) + 4/3 G / rho.
   /// @param velocity of the nodes, those that sides prescribe already as the sides have it
+  /// @param exempt owned cells, in ascending order, that keep their shape: nothing in them limits the step
   template <int dim>
   TimeStepLimit
   find_time_step(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                  const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
-                 const StepWork<dim> &work);
+                 const StepWork<dim> &work, std::span<const Index> exempt = {});
+
+  /// Owned cells that would limit the step to less than `bound` [us] because they are slivers: their smallest extent is
+  /// less than a 25th of their longest side or diagonal.
+  template <int dim>
+  std::vector<Index>
+  find_slivers(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+               const HydroParameters &parameters, const StepWork<dim> &work, double bound);
 } // namespace whipple

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/mesh/cell_packet.h>
 #include <whipple/mesh/flat_partition.h>
-#include <whipple/state/cell_packet.h>
 
 #include <mpi.h>
 

@@ -11,7 +11,7 @@ namespace whipple
   /// Where the nodes of a moving mesh start.
   enum class MeshMap
   {
-    none,     ///< on the lattice
+    identity, ///< on the lattice
     saltzman, ///< sheared along the longer axis of the domain, to try whether skewed cells keep a plane wave plane
     polar     ///< axis 0 of the lattice is the distance from the origin, axis 1 the angle above the equator
   };
@@ -46,7 +46,7 @@ namespace whipple
             return {{0., x[0]}};
           return {{x[0] * std::cos(phi), x[0] * std::sin(phi)}};
         }
-      case MeshMap::none:
+      case MeshMap::identity:
         break;
       }
     return x;

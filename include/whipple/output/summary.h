@@ -98,7 +98,6 @@ namespace whipple::summary
     long releases = 0;
     long breaks   = 0;
     long rezones  = 0;
-    long floors   = 0;
     long warnings = 0;
 
     std::map<std::string, Event> events; ///< by what: nothing that is counted is invisible

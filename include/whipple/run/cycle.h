@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace whipple
@@ -50,17 +51,24 @@ namespace whipple
     }
 
     /// @param derived of this state
+    /// @param exempt  owned elements, ascending, that keep their shape
     /// @throws StateError on all ranks
     AgreedTimeStep
-    time_step(const State<dim> &state, const Derived &derived);
+    time_step(const State<dim> &state, const Derived &derived, std::span<const Index> exempt);
+
+    /// Owned elements that would limit the step to less than `bound` [us] because they are slivers.
+    std::vector<Index>
+    slivers(const State<dim> &state, const Derived &derived, double bound) const;
 
     /// Advance by dt and enter into the ledger what left and what was converted.
     /// @param derived of the state; afterwards of the new one
     /// @param sweep_first axis of the first sweep of the remap; alternate it.
+    /// @param rigid owned elements that keep their shape
     /// @throws StateError on all ranks, also what a pass of an effect throws on one of them; state and derived are then
     /// of no further use.
     void
-    advance(State<dim> &state, Derived &derived, double dt, int sweep_first, Ledger<dim> &ledger);
+    advance(State<dim> &state, Derived &derived, double dt, int sweep_first, std::span<const RigidFragment<dim>> rigid,
+            Ledger<dim> &ledger);
 
   private:
     /// The passes of the effects, each with pressures of the state it gets; they are those of the state afterwards.

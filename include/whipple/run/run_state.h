@@ -28,7 +28,8 @@ namespace whipple
     double spare_after_regrid = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
 
     std::vector<double>  memory_of_end; ///< what the stage's end remembers (StageEnd::time_left)
-    std::vector<CellKey> folded;        ///< cells of all ranks that a failed step has folded: the next try frees them
+    std::vector<CellKey> locked; ///< elements of all ranks that keep their shape: a step has folded them, or slivers
+    std::size_t          locked_noted = 0; ///< of them, from the first on, those in the ledger
     TimeStepHistory      history;
     ContactSchedule      contacts;
   };

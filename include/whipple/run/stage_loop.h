@@ -51,8 +51,9 @@ namespace whipple
     void
     step(double left);
     /// Stop fragments that are about to fold from deforming. @returns whether any rank has changed the state
+    /// @param rigid out: those that keep their shape in the step ahead
     bool
-    release();
+    release(std::vector<RigidFragment<dim>> &rigid);
     /// Every so many steps: break the bonds of elements that are intact no longer. @returns whether any broke
     bool
     bonds_break();
@@ -60,7 +61,25 @@ namespace whipple
     /// there were any; the mesh is new then
     bool
     free_folding();
-    /// @throws StateError if a step has folded an element; the elements are freed in the next try
+    /// Whether elements can be pieces: without a void law in every material (gases) they can not be laid anew, and a
+    /// mesh that folds is left to itself.
+    bool
+    holds_pieces() const;
+    /// locked_ of the present mesh
+    void
+    find_locked();
+    /// Lock slivers that would make the step much shorter than it is in this stage. @returns whether there were new
+    /// ones
+    bool
+    lock_slivers();
+    /// @param cells owned elements that keep their shape from now on, if they do not yet
+    /// @returns the number of new ones of all ranks
+    std::size_t
+    lock(const std::vector<Index> &cells);
+    /// Enter into the ledger what has been locked since the last time.
+    void
+    note_locked();
+    /// @throws StateError if a step has folded an element; the elements are freed and locked in the next try
     void
     refuse_folded();
     /// Join elements that have run into one another; lay all anew if that does not do. @returns whether the mesh is new
@@ -107,6 +126,7 @@ namespace whipple
     // what belongs to the present mesh
     std::unique_ptr<Cycle<dim>> cycle_;
     std::vector<Index>          guard_;
+    std::vector<Index>          locked_;    ///< owned elements that keep their shape, ascending
     long                        cells_ = 0; ///< active cells of all ranks
 
     AgreedTimeStep limit_{};        ///< of the present step

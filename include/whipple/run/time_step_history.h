@@ -35,9 +35,16 @@ namespace whipple
     std::optional<std::string>
     collapse() const;
 
+    /// What a step of the stage is like, us: the larger of the median as of the last hundredth step and the largest of
+    /// the first ten; 0 before there are a hundred.
+    double
+    typical();
+
   private:
     static constexpr std::size_t window = 100;
 
-    std::vector<double> steps_; ///< us
+    std::vector<double> steps_;        ///< us
+    std::size_t         asked_at_ = 0; ///< steps that typical_ is of
+    double              typical_  = 0;
   };
 } // namespace whipple

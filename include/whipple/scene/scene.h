@@ -26,6 +26,8 @@
 /// The keys, units and defaults of every entry are in doc/scene_files.md.
 namespace whipple
 {
+  class RefinementCriterion;
+
   /// A material under the name the scene gives it. The models that the scene's effects leave out are null:
   /// without the effect "strength" model.strength, without "voids" model.void_law.
   struct SceneMaterial
@@ -125,9 +127,9 @@ namespace whipple
     double     solid_ratio    = 0;  ///< ... and one more for each factor of this (< 1) below it
     int        quiet_levels   = 0;  ///< levels that undisturbed material gives up
     double     quiet_velocity = 0;  ///< cm/us; slower than this, and with less stress than rho c times it: undisturbed
-    int        smooth_levels  = 0;  ///< levels that material gives up where its state hardly changes over a cell
-    double smooth_change = 0; ///< change of density, pressure or momentum density over a cell, as a part of the largest
-                              ///< value in the scene, up to which it hardly changes
+
+    std::vector<std::shared_ptr<const RefinementCriterion>>
+        criteria; ///< that are on; the one that gives up most counts
 
     Box<2> region;            ///< cm; Refinement::region
     int    region_levels = 0; ///< levels that cells outside the region give up
@@ -178,8 +180,8 @@ namespace whipple
     std::string title; ///< one line for the banner
 
     Boundaries<dim> boundaries;
-    Lattice<dim>    lattice;                  ///< symmetry, lower corner, finest cell, root cells, levels
-    MeshMap         mesh_map = MeshMap::none; ///< where the nodes of the lattice, and all bodies on it, start
+    Lattice<dim>    lattice;                      ///< symmetry, lower corner, finest cell, root cells, levels
+    MeshMap         mesh_map = MeshMap::identity; ///< where the nodes of the lattice, and all bodies on it, start
     MeshControl     mesh;
 
     std::vector<SceneMaterial> materials;
