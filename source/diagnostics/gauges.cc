@@ -100,10 +100,8 @@ namespace whipple
         : gauges_(std::move(gauges))
         , known_(known_gauge_fields<dim>(layout))
       {
-        for (std::size_t g = 0; g < gauges_.size(); ++g)
-          for (const std::string &name : gauges_[g].fields)
-            if (name != velocity_field)
-              n_values_ = std::max(n_values_, gauges_[g].fields.size());
+        for (const Gauge<dim> &gauge : gauges_)
+          n_values_ = std::max(n_values_, gauge.fields.size());
       }
 
       std::vector<WatchTable>
@@ -303,7 +301,8 @@ namespace whipple
           }
       }
 
-      /// Values of the scalar fields of every gauge, `n_values_` each; not a number where there is no material.
+      /// Values of the fields of every gauge, `n_values_` each; not a number where there is no material, and for the
+      /// velocity.
       std::vector<double>
       values(const MeasureView<dim> &view, const FoundAll<dim> &found, const std::vector<bool> &due) const
       {
@@ -373,7 +372,7 @@ namespace whipple
 
       std::vector<Gauge<dim>> gauges_;
       std::vector<CellField>  known_;        ///< names and units
-      std::size_t             n_values_ = 0; ///< most scalar fields of a gauge
+      std::size_t             n_values_ = 0; ///< most fields of a gauge
     };
 
     std::unique_ptr<const Watch<2>>
