@@ -55,5 +55,9 @@ tail -n 1 with/gauges/empty.csv | grep -q ',0,1.5,nan,nan,nan,nan$'
 head -n 1 'with/gauges/rear side.csv' | grep -qxF 'time [us],position 1 [cm],velocity 1 [cm/us]'
 grep -qE '^0,(1|0\.99999999999999.*|1\.00000000000000.*),0$' 'with/gauges/rear side.csv'
 "$program" run with/parameters.prm --validate >/dev/null # what is in force reads back
+if /usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null; then
+  /usr/bin/python3 "$source/scripts/plot_run.py" with >/dev/null
+  [ -s 'with/pictures/gauge-rear side.png' ] && [ -s with/pictures/gauge-empty.png ]
+fi
 run with
 [ ! -e with/gauges ] || { echo 'gauges of an earlier run are left'; exit 1; }
