@@ -5,6 +5,8 @@
 #include <whipple/scene/extra_section.h>
 #include <whipple/scene/nearest_name.h>
 
+#include <algorithm>
+
 namespace whipple
 {
   template <int dim>
