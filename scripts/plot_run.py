@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of a run: for each written time density, solid fraction and axial velocity of the elements as they are
-(deformed in Lagrangian stages), mirrored about the axis.
+(deformed in Lagrangian stages), mirrored about the axis; and of each gauge its fields against time.
 
     scripts/plot_run.py DIR [--output FOLDER] [--every N] [--window R Z_MIN Z_MAX] [--planar]
 
@@ -20,6 +20,8 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm, Normalize
 
+from plot_gauges import draw_gauges
+
 
 class Snapshot:
     """One written time: corners of the elements and the fields on them."""
@@ -37,7 +39,10 @@ class Snapshot:
 
 def read_run(directory):
     """All snapshots of DIR/fields.xdmf, one after the other."""
-    root = ElementTree.parse(os.path.join(directory, "fields.xdmf")).getroot()
+    path = os.path.join(directory, "fields.xdmf")
+    if not os.path.exists(path):
+        return  # a run without field files
+    root = ElementTree.parse(path).getroot()
     for grid in root.findall("Domain/Grid/Grid"):
         yield Snapshot(directory, grid)
 
@@ -102,6 +107,7 @@ def main():
         path = os.path.join(folder, f"fields-{number:05d}.png")
         picture(snapshot, path, arguments.window, arguments.planar)
         print(path)
+    draw_gauges(arguments.directory, folder)
 
 
 if __name__ == "__main__":

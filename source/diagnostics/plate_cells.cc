@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/diagnostics/body_share.h>
 #include <whipple/diagnostics/plate_cells.h>
 #include <whipple/diagnostics/plate_measure.h>
 #include <whipple/error.h>
@@ -43,20 +44,6 @@ namespace whipple
     {
       return body.density *
              body_volume<dim>(scene.lattice.symmetry, body.shape, scene.lattice.origin, scene.upper_corner());
-    }
-
-    /// Share of a material's mass in a cell that came from a body.
-    template <int dim>
-    double
-    share_of_body(const Scene<dim> &scene, const FieldLayout &layout, std::size_t body, const MaterialState &m, Index c)
-    {
-      if (layout.body_tag[body] >= 0)
-        return m.fields[layout.body_tag[body]].value[c];
-      double share = 1.;
-      for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        if (layout.body_material[b] == layout.body_material[body] && layout.body_tag[b] >= 0)
-          share -= m.fields[layout.body_tag[b]].value[c];
-      return share;
     }
   } // namespace
 
@@ -136,6 +123,20 @@ namespace whipple
     return result.seen ? std::optional<PlateMeasure>(result.measure) : std::nullopt;
   }
 
+  template <int dim>
+  std::vector<std::size_t>
+  measured_plates(const Scene<dim> &scene, std::size_t stage)
+  {
+    std::vector<std::size_t> plates;
+    for (std::size_t s = stage + 1; s-- > 0 && scene.stages[s].mode == StageMode::eulerian;)
+      for (const std::size_t body : scene.stages[s].introduces)
+        if (scene.bodies[body].shape.template as<Plate<dim>>())
+          plates.push_back(body);
+    return plates;
+  }
+
+  template std::vector<std::size_t>
+  measured_plates(const Scene<2> &, std::size_t);
   template PlateSite
   plate_site(const Scene<2> &, std::size_t);
   template std::vector<PlateCell>

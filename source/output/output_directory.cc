@@ -32,8 +32,8 @@ namespace whipple
         {
           if (!is_output_of_a_run(directory))
             return "is not empty and not the output of a Whipple run (no log.txt of one); nothing overwritten";
-          for (const char *name : {"fields", "fields.xdmf", "error_estimate", "last_good_state", "checkpoints",
-                                   "log.txt", "statistics.csv", "summary.json", "parameters.prm"})
+          for (const char *name : {"fields", "fields.xdmf", "error_estimate", "gauges", "last_good_state",
+                                   "checkpoints", "log.txt", "statistics.csv", "summary.json", "parameters.prm"})
             fs::remove_all(directory / name);
         }
       fs::create_directories(directory);

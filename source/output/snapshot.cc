@@ -62,8 +62,8 @@ namespace whipple
 
     template <int dim>
     void
-    add_cell_fields(Snapshot<dim> &snapshot, const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
-                    const std::vector<Index> &cells, int rank)
+    add_cell_fields(std::vector<CellField> &fields, const FlatMesh<dim> &mesh, const State<dim> &state,
+                    const Derived &derived, const std::vector<Index> &cells, int rank)
     {
       const auto mean = [&state](auto &&extensive) {
         return [&state, extensive](Index c) {
@@ -81,20 +81,20 @@ namespace whipple
         const MaterialState &m = state.material[i];
         return m.volume[c] * (m.has_voids() ? 1. - m.void_fraction[c] : 1.);
       };
-      snapshot.fields.push_back(cell_field("density", "g/cm^3", cells, mean(mass)));
-      snapshot.fields.push_back(cell_field("pressure", "Mbar", cells, mean(pressure)));
-      snapshot.fields.push_back(cell_field("solid fraction", "1", cells, mean(solid)));
-      snapshot.fields.push_back(cell_field("level", "1", cells, [&mesh](Index c) { return mesh.level[c]; }));
-      snapshot.fields.push_back(cell_field("rank", "1", cells, [rank](Index) { return rank; }));
+      fields.push_back(cell_field("density", "g/cm^3", cells, mean(mass)));
+      fields.push_back(cell_field("pressure", "Mbar", cells, mean(pressure)));
+      fields.push_back(cell_field("solid fraction", "1", cells, mean(solid)));
+      fields.push_back(cell_field("level", "1", cells, [&mesh](Index c) { return mesh.level[c]; }));
+      fields.push_back(cell_field("rank", "1", cells, [rank](Index) { return rank; }));
     }
 
     template <int dim>
     void
-    add_material_fields(Snapshot<dim> &snapshot, const State<dim> &state, const MaterialState &material,
+    add_material_fields(std::vector<CellField> &fields, const State<dim> &state, const MaterialState &material,
                         const std::vector<double> &pressure, const std::string &name, const std::vector<Index> &cells)
     {
       const auto add = [&](const std::string &what, const std::string &unit, const auto &value_of) {
-        snapshot.fields.push_back(cell_field(name + ' ' + what, unit, cells, value_of));
+        fields.push_back(cell_field(name + ' ' + what, unit, cells, value_of));
       };
       const auto entry = [](const std::vector<double> &values) { return [&values](Index c) { return values[c]; }; };
 
@@ -132,6 +132,22 @@ namespace whipple
   } // namespace
 
   template <int dim>
+  std::vector<CellField>
+  fields_of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                  const std::vector<std::string> &material_names, const ExtraFields<dim> &extra,
+                  const std::vector<Index> &cells, int rank)
+  {
+    std::vector<CellField> fields;
+    add_cell_fields(fields, mesh, state, derived, cells, rank);
+    for (std::size_t m = 0; m < state.material.size(); ++m)
+      add_material_fields(fields, state, state.material[m], derived.material[m].pressure, material_names[m], cells);
+    if (extra)
+      for (CellField &field : extra(state, cells))
+        fields.push_back(std::move(field));
+    return fields;
+  }
+
+  template <int dim>
   Snapshot<dim>
   take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                 const std::vector<std::string> &material_names, const ExtraFields<dim> &extra,
@@ -141,17 +157,15 @@ namespace whipple
     snapshot.time                  = state.time;
     const std::vector<Index> cells = shown_cells(mesh, state, options.empty_cells);
     add_geometry(snapshot, mesh, state, cells);
-    add_cell_fields(snapshot, mesh, state, derived, cells, options.rank);
-    for (std::size_t m = 0; m < state.material.size(); ++m)
-      add_material_fields(snapshot, state, state.material[m], derived.material[m].pressure, material_names[m], cells);
-    if (extra)
-      for (CellField &field : extra(state, cells))
-        snapshot.fields.push_back(std::move(field));
+    snapshot.fields = fields_of_cells(mesh, state, derived, material_names, extra, cells, options.rank);
     if (options.everything)
       add_identity(snapshot, mesh, state, material_names, cells);
     return snapshot;
   }
 
+  template std::vector<CellField>
+  fields_of_cells<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::vector<std::string> &,
+                     const ExtraFields<2> &, const std::vector<Index> &, int);
   template Snapshot<2>
   take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::vector<std::string> &,
                    const ExtraFields<2> &, const SnapshotOptions &);

@@ -114,10 +114,10 @@ namespace whipple
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldSeries, count, grids)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReportProgress, next_fields, next_statistics, fields, statistics_bytes,
-                                     events_warned)
+                                     table_bytes, events_warned)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageProgress, begun, memory_of_end, last_time_step, ceiling, failed_until,
                                      retries, since_regrid, spare_after_regrid, locked, locked_noted, history, contacts)
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Books, stage, progress, ledger, summary, report)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Books, stage, progress, ledger, summary, report, watches)
 
   // classes in a class are found by their own namespace only through their members
   namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/phase_measure.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/run/reporter.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/scene_warnings.h>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 
 namespace whipple
@@ -57,12 +59,13 @@ namespace whipple
     , layout_(layout)
     , directory_(directory)
     , log_(directory, communicator, live, resumed ? RunLog::Earlier::kept : RunLog::Earlier::replaced)
-    , statistics_(directory, communicator, resumed ? resumed->report.statistics_bytes : 0)
+    , statistics_(directory + "/statistics.csv", communicator, resumed ? resumed->report.statistics_bytes : 0)
     , fields_(directory, layout.material_names, FieldOutputOptions{.hdf5 = scene.output.hdf5, .vtu = scene.output.vtu},
               communicator, [&layout](const State<dim> &state, const std::vector<Index> &cells) {
                 return phase_fields(layout, state, cells);
               })
   {
+    begin_watches(communicator, resumed);
     log_.banner();
     if (!scene.title.empty())
       log_.info(scene.title);
@@ -77,6 +80,70 @@ namespace whipple
       log_.info(effect_line(verdict));
     for (const std::string &line : scene_warnings(scene))
       log_.warning(line);
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::begin_watches(MPI_Comm communicator, const RunBooks<dim> *resumed)
+  {
+    for (const auto &[key, entry] : MeasureRegistry<dim>::all())
+      {
+        auto watch = entry.watch ? entry.watch(scene_, layout_) : nullptr;
+        if (!watch)
+          continue;
+        Watching watching{key.second, std::move(watch), {}, {}};
+        watching.tables = watching.watch->tables();
+        for (const WatchTable &table : watching.tables)
+          {
+            const std::string path = directory_ + '/' + table.file;
+            on_first_rank<Error>(
+                communicator, [&] { std::filesystem::create_directories(std::filesystem::path(path).parent_path()); });
+            std::uint64_t kept = 0;
+            if (resumed)
+              if (const auto found = resumed->report.table_bytes.find(table.file);
+                  found != resumed->report.table_bytes.end())
+                kept = found->second;
+            watching.files.push_back(std::make_unique<StepTable>(path, communicator, kept));
+          }
+        watching_.push_back(std::move(watching));
+      }
+  }
+
+  template <int dim>
+  template <typename Call>
+  void
+  Reporter<dim>::let_watch(RunState<dim> &run, const Call &call)
+  {
+    const Domain<dim> &domain = run.domain;
+    for (const Watching &w : watching_)
+      {
+        const MeasureView<dim> view{scene_,       layout_,        run.books.stage,      domain.view->mesh,
+                                    domain.state, domain.derived, domain.communicator()};
+        call(*w.watch, view, run.books.watches[w.name], [&w](std::size_t table, const std::vector<double> &row) {
+          std::vector<TableEntry> entries;
+          for (std::size_t i = 0; i < row.size(); ++i)
+            entries.push_back({w.tables[table].columns.at(i), row[i]});
+          w.files[table]->write(entries);
+        });
+      }
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::mesh_is_new(RunState<dim> &run)
+  {
+    let_watch(run, [](const Watch<dim> &watch, const MeasureView<dim> &view, std::vector<double> &memory,
+                      const WriteRow &write) { watch.mesh_is_new(view, memory, write); });
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::flush()
+  {
+    statistics_.flush();
+    for (const Watching &w : watching_)
+      for (const auto &file : w.files)
+        file->flush();
   }
 
   template <int dim>
@@ -124,30 +191,32 @@ namespace whipple
           const auto found = ledger.conversions().find(cause);
           return found == ledger.conversions().end() ? 0. : found->second;
         };
-        const auto                            closure = ledger.closure(present);
-        const std::array<StatisticsEntry, 20> row{{{"time [us]", time},
-                                                   {"stage", static_cast<double>(run.books.stage + 1)},
-                                                   {"step", static_cast<double>(news.step)},
-                                                   {"time step [us]", news.dt},
-                                                   {"active cells", static_cast<double>(news.cells)},
-                                                   {"mass [g]", present.mass},
-                                                   {"axial momentum [g cm/us]", present.momentum[Ledger<dim>::axial]},
-                                                   {"internal energy [Mbar cm^3]", present.internal_energy},
-                                                   {"kinetic energy [Mbar cm^3]", present.kinetic_energy},
-                                                   {"mass left domain [g]", ledger.left().mass},
-                                                   {"viscous work [Mbar cm^3]", converted("viscous work")},
-                                                   {"hourglass work [Mbar cm^3]", converted("hourglass work")},
-                                                   {"plastic work [Mbar cm^3]", converted("plastic work")},
-                                                   {"remap loss [Mbar cm^3]", converted("remap")},
-                                                   {"mass closure", closure.mass},
-                                                   {"axial momentum closure", closure.axial_momentum},
-                                                   {"energy closure", closure.energy},
-                                                   {"time step set by", std::string_view(news.limit->reason)},
-                                                   {"set at axis 0 [cm]", news.limit->place[0]},
-                                                   {"set at axis 1 [cm]", news.limit->place[1]}}};
+        const auto                       closure = ledger.closure(present);
+        const std::array<TableEntry, 20> row{{{"time [us]", time},
+                                              {"stage", static_cast<double>(run.books.stage + 1)},
+                                              {"step", static_cast<double>(news.step)},
+                                              {"time step [us]", news.dt},
+                                              {"active cells", static_cast<double>(news.cells)},
+                                              {"mass [g]", present.mass},
+                                              {"axial momentum [g cm/us]", present.momentum[Ledger<dim>::axial]},
+                                              {"internal energy [Mbar cm^3]", present.internal_energy},
+                                              {"kinetic energy [Mbar cm^3]", present.kinetic_energy},
+                                              {"mass left domain [g]", ledger.left().mass},
+                                              {"viscous work [Mbar cm^3]", converted("viscous work")},
+                                              {"hourglass work [Mbar cm^3]", converted("hourglass work")},
+                                              {"plastic work [Mbar cm^3]", converted("plastic work")},
+                                              {"remap loss [Mbar cm^3]", converted("remap")},
+                                              {"mass closure", closure.mass},
+                                              {"axial momentum closure", closure.axial_momentum},
+                                              {"energy closure", closure.energy},
+                                              {"time step set by", std::string_view(news.limit->reason)},
+                                              {"set at axis 0 [cm]", news.limit->place[0]},
+                                              {"set at axis 1 [cm]", news.limit->place[1]}}};
         statistics_.write(row);
         report.next_statistics = time + scene_.output.statistics_interval;
       }
+    let_watch(run, [&news](const Watch<dim> &watch, const MeasureView<dim> &view, std::vector<double> &memory,
+                           const WriteRow &write) { watch.step_done(view, news.dt, memory, write); });
     if (scene_.output.fields_interval && time >= report.next_fields)
       {
         write_fields(*news.stage, run);
@@ -161,6 +230,12 @@ namespace whipple
   {
     statistics_.keep();
     books.report.statistics_bytes = statistics_.kept_bytes();
+    for (const Watching &w : watching_)
+      for (std::size_t t = 0; t < w.files.size(); ++t)
+        {
+          w.files[t]->keep();
+          books.report.table_bytes[w.tables[t].file] = w.files[t]->kept_bytes();
+        }
   }
 
   template <int dim>
@@ -168,6 +243,9 @@ namespace whipple
   Reporter<dim>::steps_undone(const RunBooks<dim> &books)
   {
     statistics_.forget();
+    for (const Watching &w : watching_)
+      for (const auto &file : w.files)
+        file->forget();
     fields_.go_on(books.report.fields);
   }
 

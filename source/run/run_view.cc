@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/debris_measure.h>
 #include <whipple/diagnostics/plate_measure.h>
-#include <whipple/diagnostics/result_table.h>
 #include <whipple/mesh/collective.h>
 #include <whipple/run/run_view.h>
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/exact_errors.h>
-#include <whipple/diagnostics/result_table.h>
-#include <whipple/diagnostics/shock_measure.h>
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/run/simulation.h>
 #include <whipple/run/stage_loop.h>
@@ -116,64 +114,21 @@ namespace whipple
 
   template <int dim>
   void
-  Simulation<dim>::measure_plates()
+  Simulation<dim>::measure(Look look)
   {
-    const std::size_t  stage  = state_.books.stage;
-    const Domain<dim> &domain = state_.domain;
-    for (const std::size_t plate : measured_plates(scene_, stage))
-      {
-        const std::string &name = scene_.bodies[plate].name;
-        const auto         measure =
-            measure_plate(scene_, layout_, plate, domain.view->mesh, domain.state, domain.communicator());
-        if (!measure)
-          reporter_.log().warning("stage " + scene_.stages[stage].name + ": plate " + name +
-                                  " cannot be measured: it is thinner than a cell, or nothing of it is left");
-        for (const auto &[quantity, value] : plate_results(measure, domain.state.time))
-          state_.books.summary.results[name][quantity] = value;
-      }
-  }
-
-  template <int dim>
-  std::optional<double>
-  Simulation<dim>::projectile_velocity() const
-  {
-    if (!layout_.bodies_separable)
-      return std::nullopt;
-    const auto bodies = body_totals(state_.domain.view->mesh, state_.domain.state, layout_.body_tag,
-                                    layout_.body_material, state_.domain.communicator());
-    double     mass = 0, momentum = 0;
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      if (scene_.bodies[b].velocity[Ledger<dim>::axial] != 0.)
-        {
-          mass += bodies[b].mass;
-          momentum += bodies[b].momentum[Ledger<dim>::axial];
-        }
-    return mass > 0 ? std::optional<double>(momentum / mass) : std::nullopt;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::measure_cloud(const Stage &stage, const std::string &prefix)
-  {
-    const double        origin = stage.debris.behind ? extent(scene_.bodies[*stage.debris.behind].shape).upper[1] : 0.;
-    const DebrisMeasure m      = measure_debris<dim>(
-        state_.domain.view->mesh, state_.domain.state, [](Index) { return true; }, origin,
-        state_.domain.communicator());
-    state_.books.summary.results[stage.name].merge(
-        debris_results(m, projectile_velocity(), state_.domain.state.time, prefix));
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::measure_material(const Stage &stage)
-  {
-    const FlatMesh<dim> &mesh = state_.domain.view->mesh;
-    if (scene_.has_effect("melting"))
-      state_.books.summary.results[stage.name].merge(
-          phase_results(measure_phases(layout_, mesh, state_.domain.state, state_.domain.communicator())));
-    if (scene_.has_effect("fragment size"))
-      state_.books.summary.results[stage.name].merge(
-          fragment_results(mean_fragment_size(layout_, mesh, state_.domain.state, state_.domain.communicator())));
+    const Domain<dim>     &domain = state_.domain;
+    const MeasureView<dim> view{scene_,
+                                layout_,
+                                std::min(state_.books.stage, scene_.stages.size() - 1),
+                                domain.view->mesh,
+                                domain.state,
+                                domain.derived,
+                                domain.communicator()};
+    MeasureReport          report{state_.books.summary.results,
+                         [this](const std::string &line) { reporter_.log().warning(line); }};
+    for (const auto &[key, entry] : MeasureRegistry<dim>::all())
+      if (entry.measure)
+        ((*entry.measure).*look)(view, report);
   }
 
   template <int dim>
@@ -206,8 +161,7 @@ namespace whipple
         evaluate(scene_, layout_, domain);
         throw;
       }
-    if (stage.mode == StageMode::lagrangian)
-      measure_cloud(stage, handover_prefix);
+    measure(&Measure<dim>::stage_begins);
   }
 
   template <int dim>
@@ -219,10 +173,7 @@ namespace whipple
       enter();
     StageLoop<dim> loop(scene_, layout_, regridding_, handover_, stage, reporter_, checkpointing_, state_, last_good_);
     loop.run();
-    if (stage.mode == StageMode::lagrangian)
-      measure_cloud(stage, "");
-    measure_material(stage);
-    measure_plates();
+    measure(&Measure<dim>::stage_ends);
     finish_stage();
   }
 
@@ -245,8 +196,6 @@ namespace whipple
     const FlatMesh<dim> &mesh   = state_.domain.view->mesh;
     state_.books.summary.errors = exact_errors<dim>(*scene_.exact, mesh, state_.domain.state, state_.domain.derived,
                                                     state_.domain.communicator());
-    if (const auto shock = measure_shock<dim>(scene_, mesh, state_.domain.state, state_.domain.communicator()))
-      state_.books.summary.results[exact_place] = shock_results(*shock);
   }
 
   template <int dim>
@@ -315,6 +264,7 @@ namespace whipple
           run_stage();
         if (scene_.exact)
           measure_errors();
+        measure(&Measure<dim>::run_ends);
       }
     catch (const StateError &error)
       {

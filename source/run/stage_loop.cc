@@ -79,6 +79,7 @@ namespace whipple
     run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
     run_.books.progress.since_regrid       = 0;
     run_.books.progress.spare_after_regrid = -1;
+    reporter_.mesh_is_new(run_);
   }
 
   template <int dim>

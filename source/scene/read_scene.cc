@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/scene/extra_section.h>
 #include <whipple/scene/inflow_check.h>
 #include <whipple/scene/nearest_name.h>
 #include <whipple/scene/sections.h>
@@ -53,7 +54,10 @@ namespace whipple
     bool
     is_listed(SceneParameters &parameters, const std::string &section)
     {
-      for (const std::string parent : {"Materials", "Bodies", "Stages"})
+      std::vector<std::string> parents{"Materials", "Bodies", "Stages"};
+      for (const auto &[name, extra] : ExtraSectionRegistry<2>::all())
+        parents.push_back(name);
+      for (const std::string &parent : parents)
         if (section.starts_with(parent + '/'))
           {
             const std::vector<std::string> names = split_names(parameters.get(parent, "List"));
@@ -74,6 +78,21 @@ namespace whipple
     }
 
     void
+    declare_extra(SceneParameters &parameters, const std::vector<PrmStatement> &statements)
+    {
+      for (const auto &[name, extra] : ExtraSectionRegistry<2>::all())
+        {
+          SceneSection(parameters, name)
+              .declare("List", "", "names of the " + extra.listed + "; each has its subsection below");
+          for (const std::string &listed : listed_names(statements, name))
+            {
+              SceneSection subsection(parameters, name + '/' + listed);
+              extra.declare(subsection);
+            }
+        }
+    }
+
+    void
     declare_all(SceneParameters &parameters, const std::vector<PrmStatement> &statements)
     {
       parameters.declare("", "Title", "", "one line for logs and plots");
@@ -86,6 +105,16 @@ namespace whipple
       sections::declare_numerics(parameters);
       sections::declare_output(parameters);
       sections::declare_exact_solution(parameters);
+      declare_extra(parameters, statements);
+    }
+
+    template <int dim>
+    void
+    read_extra(SceneParameters &parameters, Scene<dim> &scene)
+    {
+      for (const auto &[name, section] : ExtraSectionRegistry<dim>::all())
+        if (auto content = section.read(parameters, scene))
+          scene.extra[name] = std::move(content);
     }
   } // namespace
 
@@ -131,6 +160,7 @@ namespace whipple
     sections::drive_sides<dim>(parameters, scene);
     sections::check_inflow<dim>(parameters, scene);
     sections::check_void_laws<dim>(parameters, scene);
+    read_extra(parameters, scene);
     scene.effective_parameters =
         parameters.print([&](const std::string &section) { return is_listed(parameters, section); });
     return scene;

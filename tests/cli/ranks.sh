@@ -38,11 +38,21 @@ compare() {
   done
   same_values "$name.1" "$name.2" "$scale"
   same_values "$name.1" "$name.3" "$scale"
+  for table in "$name.1"/gauges/*.csv; do
+    [ -e "$table" ] || continue
+    cmp "$table" "$name.2/gauges/${table##*/}" && cmp "$table" "$name.3/gauges/${table##*/}" || exit 1
+  done
 }
 
 # coarse cells and a short look at the wall; scale: kinetic energy of the sphere, Mbar cm^3
 compare whipple 0.01 prm/whipple_shield.prm --set 'Mesh/Finest cell = 0.016 cm' \
-  --set 'Stages/wall/End = for 0.2 us' --set 'Output/Fields interval = 100 us'
+  --set 'Stages/wall/End = for 0.2 us' --set 'Output/Fields interval = 100 us' \
+  --set 'Gauges/List = way, rider, wall' --set 'Gauges/way/Point = 0 cm, 2 cm' --set 'Gauges/rider/Kind = material' \
+  --set 'Gauges/rider/Point = 0.032 cm, -0.16 cm' --set 'Gauges/rider/Interval = 0.05 us' \
+  --set 'Gauges/wall/Kind = surface velocity' --set 'Gauges/wall/Body = wall' --set 'Gauges/wall/Side = front'
+for gauge in way rider wall; do # each has seen material
+  grep -vq nan "whipple.1/gauges/$gauge.csv" && [ "$(grep -vc nan "whipple.1/gauges/$gauge.csv")" -gt 2 ]
+done
 grep -q '"leading_edge_velocity_cm_per_us": 0.5' whipple.3/summary.json
 
 # bonds that break at hand-over and in flight

@@ -22,11 +22,22 @@ namespace
 
   const std::vector<std::string> small{"Mesh/Finest cell = 0.064 cm", "Output/Fields interval = none"};
 
+  /// In the way of sphere and cloud, riding in the sphere, and on the rear face of the wall.
+  const std::vector<std::string> gauges{"Gauges/List = way, rider, wall",
+                                        "Gauges/way/Point = 0.03 cm, 2 cm",
+                                        "Gauges/rider/Kind = material",
+                                        "Gauges/rider/Point = 0.03 cm, -0.2 cm",
+                                        "Gauges/rider/Fields = aluminium energy, velocity, pressure",
+                                        "Gauges/rider/Interval = 0.1 us",
+                                        "Gauges/wall/Kind = surface velocity",
+                                        "Gauges/wall/Body = wall"};
+
   Scene<2>
   shield(const std::string &cohesion)
   {
     std::vector<std::string> overrides = small;
     overrides.push_back("Stages/debris/Cohesion = " + cohesion);
+    overrides.insert(overrides.end(), gauges.begin(), gauges.end());
     if (cohesion == "graded")
       overrides.insert(overrides.end(),
                        {"Effects/List = strength, voids, failure, body tags", "Materials/aluminium/Failure = spall"});
@@ -40,12 +51,14 @@ namespace
     std::map<std::string, std::map<std::string, summary::Result>> results;
     std::vector<long>                                             counts;
     std::string                                                   statistics; ///< up to the masses and energies
+    std::string                                                   gauges;
   };
 
   bool
   operator==(const Ended &a, const Ended &b)
   {
-    return a.datasets == b.datasets && a.results == b.results && a.counts == b.counts && a.statistics == b.statistics;
+    return a.datasets == b.datasets && a.results == b.results && a.counts == b.counts && a.statistics == b.statistics &&
+           a.gauges == b.gauges;
   }
 
   std::string
@@ -78,6 +91,9 @@ namespace
           result.statistics += cell + ',';
         result.statistics += '\n';
       }
+    for (const std::string name : {"way", "rider", "wall"})
+      result.gauges += read(directory + "/gauges/" + name + ".csv");
+    EXPECT_GT(result.gauges.size(), 1000u);
     return result;
   }
 

@@ -5,7 +5,7 @@
     restart.py PROGRAM SCENE [--moments N] [--seed S] [--cell '0.032 cm'] [--set 'Section/Name = value']...
 
 It writes checkpoints as fast as it can, so that many moments fall into one. Numbers of ranks change from part to part. The final
-states must have the same checksums of mesh and fields, the same results, counts and table of statistics. The seed is printed.
+states must have the same checksums of mesh and fields, the same results, counts and tables of statistics and gauges. The seed is printed.
 """
 import argparse
 import json
@@ -18,6 +18,14 @@ import sys
 import time
 
 COLUMNS = 9  # of statistics.csv: those that are the same on any number of ranks
+# In the way of sphere and cloud, and riding in the sphere.
+GAUGES = [
+    "Gauges/List = way, rider",
+    "Gauges/way/Point = 0.03 cm, 2 cm",
+    "Gauges/rider/Kind = material",
+    "Gauges/rider/Point = 0.03 cm, -0.2 cm",
+    "Gauges/rider/Interval = 0.1 us",
+]
 STAGE_KEYS = ("name", "start_us", "end_us", "steps", "active_cells_max", "elements", "cell_steps", "dt_limits")
 
 
@@ -71,6 +79,10 @@ def outcome(directory):
         summary = json.load(file)
     with open(f"{directory}/statistics.csv", encoding="utf8") as file:
         rows = [",".join(line.split(",")[:COLUMNS]) for line in file]
+    gauges = {}
+    for name in sorted(os.listdir(f"{directory}/gauges")):
+        with open(f"{directory}/gauges/{name}", encoding="utf8") as file:
+            gauges[name] = file.read()
     counts = summary["counts"]
     return {
         "fields": newest(directory)["datasets"],
@@ -80,6 +92,7 @@ def outcome(directory):
         "counts": {key: counts[key] for key in ("retries", "releases", "breaks", "rezones", "warnings")},
         "events": {what: event["number"] for what, event in counts["events"].items()},
         "statistics": rows,
+        "gauges": gauges,
     }
 
 
@@ -112,7 +125,7 @@ def main():
     options = parser.parse_args()
     print(f"seed {options.seed}, {options.moments} moments, cells of {options.cell}", flush=True)
 
-    overrides = [f"Mesh/Finest cell = {options.cell}", "Output/Checkpoint interval = 1 ms"] + options.set
+    overrides = [f"Mesh/Finest cell = {options.cell}", "Output/Checkpoint interval = 1 ms"] + GAUGES + options.set
     start = [options.scene] + [word for override in overrides for word in ("--set", override)]
     shutil.rmtree("whole", ignore_errors=True)
     begin = time.time()

@@ -3,7 +3,7 @@
 #include <whipple/output/output_directory.h>
 #include <whipple/output/process_use.h>
 #include <whipple/output/run_log.h>
-#include <whipple/output/statistics.h>
+#include <whipple/output/step_table.h>
 
 #include <gtest/gtest.h>
 
@@ -49,10 +49,10 @@ namespace
 
   TEST_F(OutputText, StatisticsRowsReadBackExactly)
   {
-    const std::array<StatisticsEntry, 3> first{{{"time [us]", 0.1 + 0.2}, {"mass [g]", 1e-300}, {"steps", 7.}}};
-    const std::array<StatisticsEntry, 3> second{{{"time [us]", 1. / 3.}, {"mass [g]", NAN}, {"steps", 8.}}};
-    const std::array<StatisticsEntry, 3> renamed{{{"time [s]", 0.}, {"mass [g]", 0.}, {"steps", 0.}}};
-    Statistics                           statistics(directory.string(), MPI_COMM_SELF);
+    const std::array<TableEntry, 3> first{{{"time [us]", 0.1 + 0.2}, {"mass [g]", 1e-300}, {"steps", 7.}}};
+    const std::array<TableEntry, 3> second{{{"time [us]", 1. / 3.}, {"mass [g]", NAN}, {"steps", 8.}}};
+    const std::array<TableEntry, 3> renamed{{{"time [s]", 0.}, {"mass [g]", 0.}, {"steps", 0.}}};
+    StepTable                       statistics(directory.string() + "/statistics.csv", MPI_COMM_SELF);
     statistics.write(first);
     statistics.write(second);
     EXPECT_THROW(statistics.write(renamed), Error);

@@ -54,19 +54,21 @@ namespace
     books.ledger.note("squeezed", 3., 1e-17, "cm^3");
     books.summary.scene = "x.prm";
     summary::Stage stage;
-    stage.name                       = "wall";
-    stage.start_us                   = 0.3;
-    stage.finest_equivalent_cells    = 12;
-    stage.dt_limits["sound"]         = 9;
-    books.summary.stages             = {stage};
-    books.summary.results["wall"]    = {{"hole", 0.1}, {"perforated", true}, {"word", std::string("w")}, {"none", {}}};
-    books.summary.counts.breaks      = 11;
-    books.summary.counts.events["e"] = {1., 0.7, "g"};
-    books.summary.performance.cpu_s  = 0.7;
-    books.report.next_fields         = 0.3;
-    books.report.fields              = {2, {"<Grid/>", "<Grid>\n</Grid>"}};
-    books.report.statistics_bytes    = 1u << 31;
-    books.report.events_warned["e"]  = {1., 0.7, "g"};
+    stage.name                        = "wall";
+    stage.start_us                    = 0.3;
+    stage.finest_equivalent_cells     = 12;
+    stage.dt_limits["sound"]          = 9;
+    books.summary.stages              = {stage};
+    books.summary.results["wall"]     = {{"hole", 0.1}, {"perforated", true}, {"word", std::string("w")}, {"none", {}}};
+    books.summary.counts.breaks       = 11;
+    books.summary.counts.events["e"]  = {1., 0.7, "g"};
+    books.summary.performance.cpu_s   = 0.7;
+    books.report.next_fields          = 0.3;
+    books.report.fields               = {2, {"<Grid/>", "<Grid>\n</Grid>"}};
+    books.report.statistics_bytes     = 1u << 31;
+    books.report.events_warned["e"]   = {1., 0.7, "g"};
+    books.report.table_bytes["a.csv"] = 77;
+    books.watches["gauges"]           = {1. / 3., NAN, -1.};
 
     const auto bytes = to_cbor(books);
     const auto again = books_from_cbor(bytes);
@@ -81,6 +83,9 @@ namespace
     EXPECT_EQ(again.summary.results, books.summary.results);
     EXPECT_EQ(again.summary.stages[0].finest_equivalent_cells, std::optional<long>(12));
     EXPECT_FALSE(again.summary.stages[0].elements);
+    EXPECT_EQ(again.report.table_bytes, books.report.table_bytes);
+    EXPECT_EQ(again.watches.at("gauges")[0], 1. / 3.);
+    EXPECT_TRUE(std::isnan(again.watches.at("gauges")[1]));
     EXPECT_THROW(books_from_cbor({bytes.begin(), bytes.end() - 9}), StateError);
   }
 

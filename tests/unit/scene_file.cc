@@ -237,7 +237,7 @@ namespace
         complaint(shield, {"Mesh/Finest cel = 1 cm"}),
         "--set: Mesh/Finest cel = '1 cm': no such key; did you mean 'Finest cell'? allowed are Finest cell, Levels, "
         "Refinement, Buffer, Regrid interval, Distended threshold, Distended ratio, Quiet levels, Quiet velocity, "
-        "Smooth levels, Smooth change, Region, Region levels");
+        "Gradient field, Gradient levels, Gradient change, Smooth levels, Smooth change, Region, Region levels");
     EXPECT_EQ(complaint(shield, {"Mesh/Levels"}), "--set 'Mesh/Levels': allowed is 'Section/Sub/Name = value'");
     EXPECT_NE(complaint(shield, {"Mish/Levels = 2"}).find("no such section; did you mean 'Mesh'?"), std::string::npos);
     EXPECT_NE(complaint(shield, {"Mesh/Levels = many"}).find("--set: Mesh/Levels = 'many': allowed is a whole number"),

@@ -42,4 +42,10 @@ namespace whipple
   std::optional<PlateMeasure>
   measure_plate(const Scene<dim> &scene, const FieldLayout &layout, std::size_t body, const FlatMesh<dim> &mesh,
                 const State<dim> &state, MPI_Comm communicator);
+
+  /// Plates that are measured at the end of a stage: Eulerian stages measure those that have entered since the last
+  /// Lagrangian stage (what that one has dropped is no longer there).
+  template <int dim>
+  std::vector<std::size_t>
+  measured_plates(const Scene<dim> &scene, std::size_t stage);
 } // namespace whipple

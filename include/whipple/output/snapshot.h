@@ -55,6 +55,13 @@ namespace whipple
     int  rank        = 0;     ///< value of the field "rank"
   };
 
+  /// All fields of chosen cells that take_snapshot() shows, without geometry; the same list whatever the cells.
+  template <int dim>
+  std::vector<CellField>
+  fields_of_cells(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
+                  const std::vector<std::string> &material_names, const ExtraFields<dim> &extra,
+                  const std::vector<Index> &cells, int rank);
+
   /// Collect owned cells of a state. Fields of the cell: density (mass of all materials / cell volume), pressure
   /// (volume weighted; open void counts 0), solid fraction (volume without pores and open void / cell volume),
   /// level, rank. Of each material m, named `material_names[m] + " ..."`: volume fraction, density (bulk), true

@@ -13,10 +13,11 @@ namespace whipple
   /// What a run has written so far, and when it writes next.
   struct ReportProgress
   {
-    double                       next_fields     = 0; ///< us
-    double                       next_statistics = 0; ///< us
-    FieldSeries                  fields;
-    std::uint64_t                statistics_bytes = 0; ///< of statistics.csv, rows whose steps stand (rank 0)
-    std::map<std::string, Event> events_warned;        ///< of the ledger, at the last warning
+    double                               next_fields     = 0; ///< us
+    double                               next_statistics = 0; ///< us
+    FieldSeries                          fields;
+    std::uint64_t                        statistics_bytes = 0; ///< of statistics.csv, rows whose steps stand (rank 0)
+    std::map<std::string, std::uint64_t> table_bytes;   ///< likewise of each table of a watch (diagnostics/measure.h)
+    std::map<std::string, Event>         events_warned; ///< of the ledger, at the last warning
   };
 } // namespace whipple

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/diagnostics/measure.h>
 #include <whipple/ledger/ledger.h>
 #include <whipple/output/field_output.h>
 #include <whipple/output/run_log.h>
-#include <whipple/output/statistics.h>
+#include <whipple/output/step_table.h>
 #include <whipple/output/summary.h>
 #include <whipple/run/cycle.h>
 #include <whipple/run/run_state.h>
@@ -45,7 +46,11 @@ namespace whipple
     void
     stage_begins(const Stage &stage, RunState<dim> &run);
 
-    /// Progress line, statistics row and field file where they are due.
+    /// The state of the present stage lies on another mesh: for the watches.
+    void
+    mesh_is_new(RunState<dim> &run);
+
+    /// Progress line, statistics row, tables of the watches and field file where they are due.
     void
     step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run);
 
@@ -64,10 +69,7 @@ namespace whipple
 
     /// Bring to disk what stands.
     void
-    flush()
-    {
-      statistics_.flush();
-    }
+    flush();
 
     /// The steps so far stand.
     void
@@ -85,11 +87,30 @@ namespace whipple
     void
     warn_of_events(const Stage &stage, RunBooks<dim> &books);
 
+    /// A watch of a measure and its tables.
+    struct Watching
+    {
+      std::string                             name;
+      std::unique_ptr<const Watch<dim>>       watch;
+      std::vector<WatchTable>                 tables;
+      std::vector<std::unique_ptr<StepTable>> files;
+    };
+
+    void
+    begin_watches(MPI_Comm communicator, const RunBooks<dim> *resumed);
+
+    /// Let every watch look: call(watch, view, memory, write)
+    template <typename Call>
+    void
+    let_watch(RunState<dim> &run, const Call &call);
+
     const Scene<dim>  &scene_;
     const FieldLayout &layout_;
     std::string        directory_;
     RunLog             log_;
-    Statistics         statistics_;
+    StepTable          statistics_;
     FieldOutput<dim>   fields_;
+
+    std::vector<Watching> watching_;
   };
 } // namespace whipple

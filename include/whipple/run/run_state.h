@@ -43,6 +43,9 @@ namespace whipple
     Ledger<dim>      ledger;
     summary::Summary summary; ///< stages so far, results, counts, what has been used
     ReportProgress   report;
+
+    std::map<std::string, std::vector<double>>
+        watches; ///< what each watch remembers (diagnostics/measure.h), by its name
   };
 
   /// All that a run is at a moment. What can be worked out from it is no part of it.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/diagnostics/measure.h>
 #include <whipple/run/checkpointing.h>
 #include <whipple/run/handover.h>
 #include <whipple/run/last_good.h>
 #include <whipple/run/reporter.h>
 
 #include <map>
-#include <optional>
 #include <string>
 
 namespace whipple
@@ -76,16 +76,11 @@ namespace whipple
     /// The present stage is over.
     void
     finish_stage();
+    /// A moment at which measures look at the run.
+    using Look = void (Measure<dim>::*)(const MeasureView<dim> &, MeasureReport &) const;
+    /// All measures there are, in their order.
     void
-    measure_plates();
-    /// Mean axial velocity of the material of the bodies that came flying, cm/us; none if it cannot be told apart.
-    std::optional<double>
-    projectile_velocity() const;
-    void
-    measure_cloud(const Stage &stage, const std::string &prefix);
-    /// Temperature, phases and fragments at the end of a stage, of scenes with those effects.
-    void
-    measure_material(const Stage &stage);
+    measure(Look look);
     void
     measure_errors();
     void

@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -166,6 +167,12 @@ namespace whipple
     std::string           reason; ///< one line
   };
 
+  /// What an extra section (scene/extra_section.h) says; its owner knows what it is.
+  struct SectionContent
+  {
+    virtual ~SectionContent() = default;
+  };
+
   template <int dim>
   struct Scene
   {
@@ -186,6 +193,9 @@ namespace whipple
     OutputControl              output;
 
     std::shared_ptr<const exact::ExactSolution<dim>> exact; ///< what errors are measured against; null: nothing
+
+    std::map<std::string, std::shared_ptr<const SectionContent>>
+        extra; ///< by the name of the section; those that are used
 
     std::string effective_parameters; ///< every value in force, as a .prm that reads back to this scene
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/diagnostics/result_table.h>
+#include <whipple/diagnostics/measure.h>
 #include <whipple/scene/study_section.h>
 
 #include <map>

@@ -14,28 +14,29 @@
 
 namespace whipple
 {
-  /// One entry of a row of the statistics table, a number or a word; the name carries the unit, "time [us]".
-  struct StatisticsEntry
+  /// One entry of a row of a table, a number or a word; the name carries the unit, "time [us]".
+  struct TableEntry
   {
     std::string_view                       name;
     std::variant<double, std::string_view> value;
   };
 
-  /// DIR/statistics.csv: one row a written step, comma separated, the names in the first line. The first row
-  /// fixes the columns. Only rank 0 writes; values are printed with all their digits, what is not finite as nan
-  /// or inf. Rows wait until keep() says that their steps stand; forget() drops those whose steps were undone.
-  class Statistics
+  /// A table that grows with the steps of a run (DIR/statistics.csv and others): comma separated, the names in the
+  /// first line. The first row fixes the columns. Only rank 0 writes; values are printed with all their digits, what is
+  /// not finite as nan or inf. Rows wait until keep() says that their steps stand; forget() drops those whose steps
+  /// were undone.
+  class StepTable
   {
   public:
     /// @param kept bytes of a table begun before that stand (as kept_bytes() said); what follows them is cut off. 0: a
     ///             new table
     /// @throws InputError if the file cannot be written, or is shorter than that.
-    Statistics(const std::string &directory, MPI_Comm communicator, std::uint64_t kept = 0);
+    StepTable(const std::string &path, MPI_Comm communicator, std::uint64_t kept = 0);
 
     /// Append a row.
     /// @throws Error if names differ from those of the first row.
     void
-    write(std::span<const StatisticsEntry> row);
+    write(std::span<const TableEntry> row);
 
     /// The steps of all rows so far stand.
     void
@@ -57,6 +58,7 @@ namespace whipple
     }
 
   private:
+    std::string              path_;
     bool                     active_; ///< this is rank 0
     std::ofstream            file_;
     std::ostringstream       waiting_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/output/statistics.h>
+#include <whipple/output/step_table.h>
 
 #include <array>
 #include <charconv>
@@ -47,12 +47,12 @@ namespace whipple
     }
   } // namespace
 
-  Statistics::Statistics(const std::string &directory, MPI_Comm communicator, std::uint64_t kept)
-    : active_(is_rank_0(communicator))
+  StepTable::StepTable(const std::string &path, MPI_Comm communicator, std::uint64_t kept)
+    : path_(path)
+    , active_(is_rank_0(communicator))
   {
     if (!active_)
       return;
-    const std::string path = directory + "/statistics.csv";
     if (kept > 0)
       {
         columns_ = cut_back(path, kept);
@@ -64,13 +64,13 @@ namespace whipple
   }
 
   void
-  Statistics::write(std::span<const StatisticsEntry> row)
+  StepTable::write(std::span<const TableEntry> row)
   {
     if (!active_)
       return;
     if (columns_.empty())
       {
-        for (const StatisticsEntry &entry : row)
+        for (const TableEntry &entry : row)
           {
             file_ << (columns_.empty() ? "" : ",") << entry.name;
             kept_ += entry.name.size() + 1; // with the comma or line end behind it
@@ -79,12 +79,12 @@ namespace whipple
         file_ << '\n';
       }
     if (row.size() != columns_.size())
-      throw Error("statistics: a row of " + std::to_string(row.size()) + " values in a table of " +
+      throw Error(path_ + ": a row of " + std::to_string(row.size()) + " values in a table of " +
                   std::to_string(columns_.size()) + " columns");
     for (std::size_t i = 0; i < row.size(); ++i)
       {
         if (row[i].name != columns_[i])
-          throw Error("statistics: value '" + std::string(row[i].name) + "' in column '" + columns_[i] + "'");
+          throw Error(path_ + ": value '" + std::string(row[i].name) + "' in column '" + columns_[i] + "'");
         if (i > 0)
           waiting_ << ',';
         if (const double *number = std::get_if<double>(&row[i].value))
@@ -96,7 +96,7 @@ namespace whipple
   }
 
   void
-  Statistics::keep()
+  StepTable::keep()
   {
     if (active_)
       {
@@ -108,13 +108,13 @@ namespace whipple
   }
 
   void
-  Statistics::forget()
+  StepTable::forget()
   {
     waiting_.str({});
   }
 
   void
-  Statistics::flush()
+  StepTable::flush()
   {
     if (active_)
       file_.flush();

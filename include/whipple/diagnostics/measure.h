@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/diagnostics/result_table.h>
+#include <whipple/mesh/flat_mesh.h>
+#include <whipple/problem/field_layout.h>
+#include <whipple/scene/scene.h>
+#include <whipple/state/derived.h>
+#include <whipple/state/fields.h>
+
+#include <mpi.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// What a run measures: results for summary.json at certain moments, and tables that grow from step to step. Each is a
+/// class that registers itself, in a file of its own (doc/extending.md).
+namespace whipple
+{
+  /// A run as a measure sees it. All is kept by reference and is the same moment's.
+  template <int dim>
+  struct MeasureView
+  {
+    const Scene<dim>    &scene;
+    const FieldLayout   &layout;
+    std::size_t          stage; ///< number of the stage that the run is in
+    const FlatMesh<dim> &mesh;
+    const State<dim>    &state;
+    const Derived       &derived; ///< of this state, but for stage_begins()
+    MPI_Comm             communicator;
+  };
+
+  /// Where a measure puts what it has found.
+  struct MeasureReport
+  {
+    std::map<std::string, ResultTable>                &results; ///< of the run so far, by place
+    const std::function<void(const std::string &line)> warn;    ///< one line of the log
+  };
+
+  /// Something that is worth a result. Every function is called on all ranks and may be collective; results are to be
+  /// the same bits on any number of ranks.
+  template <int dim>
+  class Measure
+  {
+  public:
+    virtual ~Measure() = default;
+
+    /// A stage has taken over its state and has not made a step.
+    virtual void
+    stage_begins(const MeasureView<dim> &, MeasureReport &) const
+    {
+    }
+    virtual void
+    stage_ends(const MeasureView<dim> &, MeasureReport &) const
+    {
+    }
+    /// The last stage has ended.
+    virtual void
+    run_ends(const MeasureView<dim> &, MeasureReport &) const
+    {
+    }
+
+    /// Enter all results that a scene will have from this measure if it runs to its end; only names and types count.
+    virtual void
+    expect(const Scene<dim> &, std::map<std::string, ResultTable> &) const
+    {
+    }
+  };
+
+  /// The file of a table that grows with the steps, and the names (with units) of its columns.
+  struct WatchTable
+  {
+    std::string              file; ///< below the output directory: "gauges/rear.csv"
+    std::vector<std::string> columns;
+  };
+
+  /// Appends a row of numbers to one of a watch's tables.
+  using WriteRow = std::function<void(std::size_t table, const std::vector<double> &row)>;
+
+  /// What a measure is that looks at every step: tables beside the results. It has no state that changes: what it must
+  /// know from step to step is `memory` (empty when a run begins), a part of the run state, so that it goes back with a
+  /// failed step and is there after a restart. Rows of steps that are undone are dropped.
+  template <int dim>
+  class Watch
+  {
+  public:
+    virtual ~Watch() = default;
+
+    virtual std::vector<WatchTable>
+    tables() const = 0;
+
+    /// The state lies on another mesh: a stage has begun, or cells, elements or bonds are others than before. Where the
+    /// material is has not changed. Collective, as the next.
+    virtual void
+    mesh_is_new(const MeasureView<dim> &view, std::vector<double> &memory, const WriteRow &write) const = 0;
+
+    /// A step has been made. @param dt us
+    virtual void
+    step_done(const MeasureView<dim> &view, double dt, std::vector<double> &memory, const WriteRow &write) const = 0;
+  };
+
+  /// All measures there are. Filled before main() by the one line
+  ///
+  ///     const MeasureRegistration<2> registration(40, "plates", std::make_shared<Plates>());
+  ///
+  /// at the end of each measure's own file; never changed afterwards.
+  template <int dim>
+  class MeasureRegistry
+  {
+  public:
+    /// Something to watch in this scene; null if there is nothing.
+    using MakeWatch =
+        std::function<std::unique_ptr<const Watch<dim>>(const Scene<dim> &scene, const FieldLayout &layout)>;
+    struct Entry
+    {
+      std::shared_ptr<const Measure<dim>> measure; ///< null: it only watches
+      MakeWatch                           watch;   ///< empty: it never watches
+    };
+    /// Place in the order, then name.
+    using Key = std::pair<int, std::string>;
+
+    /// In the order in which they measure.
+    static const std::map<Key, Entry> &
+    all()
+    {
+      return entries();
+    }
+
+  private:
+    template <int>
+    friend class MeasureRegistration;
+
+    static std::map<Key, Entry> &
+    entries()
+    {
+      static std::map<Key, Entry> registry;
+      return registry;
+    }
+  };
+
+  /// Makes a measure known.
+  template <int dim>
+  class MeasureRegistration
+  {
+  public:
+    /// @param place in the order of all measures
+    MeasureRegistration(int place, const std::string &name, std::shared_ptr<const Measure<dim>> measure)
+    {
+      MeasureRegistry<dim>::entries().emplace(std::pair(place, name),
+                                              typename MeasureRegistry<dim>::Entry{std::move(measure), {}});
+    }
+    MeasureRegistration(int place, const std::string &name, typename MeasureRegistry<dim>::MakeWatch watch)
+    {
+      MeasureRegistry<dim>::entries().emplace(std::pair(place, name),
+                                              typename MeasureRegistry<dim>::Entry{nullptr, std::move(watch)});
+    }
+  };
+
+  /// All results that the scene will have if it runs to its end, by place; only names and types count.
+  template <int dim>
+  std::map<std::string, ResultTable>
+  expected_results(const Scene<dim> &scene);
+} // namespace whipple

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/scene/scene.h>
+#include <whipple/scene/section.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+/// Sections of a scene that belong to something which registers itself (a measure): the scene file has them, and the
+/// rooms of the scene need not know what they mean.
+namespace whipple
+{
+  /// A section with a key `List` of names, each with its subsection.
+  template <int dim>
+  struct ExtraSection
+  {
+    std::string listed; ///< what the names are of, for the key `List`: "gauges"
+
+    /// Declare the entries of one name's subsection.
+    std::function<void(SceneSection &subsection)> declare;
+
+    /// Understand the section of a scene that is otherwise complete. Null if it names nothing.
+    /// @throws InputError
+    std::function<std::shared_ptr<const SectionContent>(SceneParameters &parameters, const Scene<dim> &scene)> read;
+  };
+
+  /// All extra sections, by name ("Gauges"). Filled before main() by ExtraSectionRegistration; never changed
+  /// afterwards.
+  template <int dim>
+  class ExtraSectionRegistry
+  {
+  public:
+    static const std::map<std::string, ExtraSection<dim>> &
+    all()
+    {
+      return entries();
+    }
+
+  private:
+    template <int>
+    friend class ExtraSectionRegistration;
+
+    static std::map<std::string, ExtraSection<dim>> &
+    entries()
+    {
+      static std::map<std::string, ExtraSection<dim>> registry;
+      return registry;
+    }
+  };
+
+  /// Makes a section known: one line at the end of its file.
+  template <int dim>
+  class ExtraSectionRegistration
+  {
+  public:
+    ExtraSectionRegistration(const std::string &name, ExtraSection<dim> section)
+    {
+      ExtraSectionRegistry<dim>::entries().emplace(name, std::move(section));
+    }
+  };
+} // namespace whipple
