@@ -260,8 +260,6 @@ namespace whipple
       }
     ledger.note("overlapping pieces laid down, solid moved to where there is room", report.spread.cells,
                 report.spread.volume, "cm^3");
-    ledger.note("void pressed out where pieces were laid into one cell", report.pores_squeezed > 0,
-                report.pores_squeezed, "cm^3");
     // every rank knows all elements: these counts are those of all
     ledger.note("folded elements laid down", static_cast<double>(report.folded_elements), 1., "times");
     ledger.note("corners beyond the axis laid down as their mirror image", static_cast<double>(report.mirrored_corners),
