@@ -78,8 +78,8 @@ namespace
     cycle.refresh(domain.state, domain.derived);
     try
       {
-        const double dt = cycle.time_step(domain.state, domain.derived).dt;
-        cycle.advance(domain.state, domain.derived, 0.1 * dt, 0, ledger);
+        const double dt = cycle.time_step(domain.state, domain.derived, {}).dt;
+        cycle.advance(domain.state, domain.derived, 0.1 * dt, 0, {}, ledger);
       }
     catch (const StateError &error)
       {
