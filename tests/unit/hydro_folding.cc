@@ -136,7 +136,7 @@ namespace
     shape(Index c) const
     {
       std::vector<double> result;
-      for (const auto [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(0, 3), std::pair(1, 2)})
+      for (const auto &[a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(0, 3), std::pair(1, 2)})
         for (int d = 0; d < 2; ++d)
           result.push_back(state.position[d][mesh.cell_node[4 * c + b]] - state.position[d][mesh.cell_node[4 * c + a]]);
       return result;
