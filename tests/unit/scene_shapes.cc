@@ -198,7 +198,9 @@ namespace
             polygon.volume(Symmetry::planar, {{x[0] - half[0], x[1] - half[1]}}, {{x[0] + half[0], x[1] + half[1]}}) /
             (4. * half[0] * half[1]);
         if (share < 1e-6 || share > 1. - 1e-6)
-          EXPECT_EQ(polygon.contains(x), share > 0.5);
+          {
+            EXPECT_EQ(polygon.contains(x), share > 0.5);
+          }
         inside += share > 0.5;
       }
     EXPECT_NEAR(inside / 3000. * 0.25, green(Symmetry::planar, polygon.corners()), 0.005);
