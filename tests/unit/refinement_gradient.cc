@@ -17,7 +17,7 @@ namespace
 {
   using namespace whipple;
 
-  const std::vector<std::string> tube{"Mesh/Finest cell = 0.01 cm",     "Mesh/Levels = 3",
+  const std::vector<std::string> tube{"Mesh/Finest cell = 0.01 cm",     "Mesh/Levels = 2",
                                       "Mesh/Refinement = adaptive",     "Mesh/Buffer = 1",
                                       "Mesh/Gradient field = pressure", "Mesh/Gradient levels = 2",
                                       "Mesh/Gradient change = 2 %",     "Output/Fields interval = none"};
