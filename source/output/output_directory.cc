@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/output/output_directory.h>
 
 #include <filesystem>
@@ -48,25 +49,18 @@ namespace whipple
   void
   prepare_output_directory(const std::string &directory, MPI_Comm communicator)
   {
-    int rank = 0;
-    MPI_Comm_rank(communicator, &rank);
-    std::string reason;
-    if (rank == 0)
-      {
-        try
-          {
-            reason = prepare(directory);
-          }
-        catch (const fs::filesystem_error &error)
-          {
-            reason = "cannot be used: " + error.code().message();
-          }
-      }
-    int length = static_cast<int>(reason.size());
-    MPI_Bcast(&length, 1, MPI_INT, 0, communicator);
-    reason.resize(static_cast<std::size_t>(length));
-    MPI_Bcast(reason.data(), length, MPI_CHAR, 0, communicator);
-    if (!reason.empty())
-      throw InputError("output directory '" + directory + "' " + reason);
+    on_first_rank<InputError>(communicator, [&] {
+      std::string reason;
+      try
+        {
+          reason = prepare(directory);
+        }
+      catch (const fs::filesystem_error &error)
+        {
+          reason = "cannot be used: " + error.code().message();
+        }
+      if (!reason.empty())
+        throw InputError("output directory '" + directory + "' " + reason);
+    });
   }
 } // namespace whipple

@@ -4,6 +4,7 @@
 
 #include <whipple/error.h>
 #include <whipple/output/duration.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/output/run_log.h>
 #include <whipple/output/version.h>
 
@@ -24,14 +25,6 @@ namespace whipple
     constexpr double terminal_interval_live  = 0.2; // seconds; faster than the eye reads
     constexpr double terminal_interval_plain = 5.;
     constexpr double file_interval           = 10.;
-
-    bool
-    is_rank_0(MPI_Comm communicator)
-    {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      return rank == 0;
-    }
 
     std::string
     mpi_version()
@@ -73,7 +66,7 @@ namespace whipple
 
   RunLog::RunLog(const std::string &directory, MPI_Comm communicator, std::ostream &terminal, bool live,
                  double interval_seconds, Earlier earlier)
-    : active_(is_rank_0(communicator))
+    : active_(is_first_rank(communicator))
     , communicator_(communicator)
     , terminal_(terminal)
     , live_(live)

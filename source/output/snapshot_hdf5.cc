@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/hdf5.h>
-
+#include <whipple/output/hdf5_table.h>
 #include <whipple/output/snapshot_hdf5.h>
 
 #include <array>
@@ -17,46 +16,8 @@ namespace whipple::snapshot_hdf5
   namespace
   {
     namespace HDF5 = dealii::HDF5;
-
-    /// Where the rows of this rank lie among those of all ranks.
-    struct Rows
-    {
-      std::uint64_t offset, local, global;
-    };
-
-    Rows
-    rows_of(std::uint64_t local, MPI_Comm communicator)
-    {
-      Rows rows{0, local, 0};
-      int  rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      MPI_Exscan(&local, &rows.offset, 1, MPI_UINT64_T, MPI_SUM, communicator);
-      if (rank == 0) // MPI leaves it undefined there
-        rows.offset = 0;
-      MPI_Allreduce(&local, &rows.global, 1, MPI_UINT64_T, MPI_SUM, communicator);
-      return rows;
-    }
-
-    /// A table of `width` columns (width 1: a plain list), every rank its rows.
-    template <typename Number>
-    HDF5::DataSet
-    write_table(const HDF5::Group &group, const std::string &name, const std::vector<Number> &values, const Rows &rows,
-                unsigned int width)
-    {
-      std::vector<hsize_t> global{rows.global}, offset{rows.offset}, count{rows.local};
-      if (width > 1)
-        {
-          global.push_back(width);
-          offset.push_back(0);
-          count.push_back(width);
-        }
-      HDF5::DataSet table = group.create_dataset<Number>(name, global);
-      if (rows.local > 0)
-        table.write_hyperslab(values, offset, count);
-      else
-        table.write_none<Number>();
-      return table;
-    }
+    using hdf5_table::Rows;
+    using hdf5_table::rows_of;
 
     /// A name that is legal in HDF5 paths and XDMF references, and not taken yet.
     std::string
@@ -169,16 +130,17 @@ namespace whipple::snapshot_hdf5
 
       HDF5::File  file(path, HDF5::File::FileAccessMode::create, communicator);
       std::string grid = grid_head(snapshot, stored_path, grid_name, nodes, cells);
-      write_table(file, "nodes", snapshot.position, nodes, dim);
-      write_table(file, "cells", walked_cells(snapshot, nodes.offset), cells, Snapshot<dim>::corners);
-      write_table(file, "velocity", stored(snapshot.velocity), nodes, 3).set_attribute("unit", std::string("cm/us"));
+      hdf5_table::write(file, "nodes", snapshot.position, nodes, dim);
+      hdf5_table::write(file, "cells", walked_cells(snapshot, nodes.offset), cells, Snapshot<dim>::corners);
+      hdf5_table::write(file, "velocity", stored(snapshot.velocity), nodes, 3)
+          .set_attribute("unit", std::string("cm/us"));
       grid += attribute("velocity", "cm/us", "Vector", "Node",
                         data_item(stored_path, "velocity", std::to_string(nodes.global) + " 3", "Float", bytes));
       std::set<std::string> taken{"nodes", "cells", "velocity"};
       for (const CellField &field : snapshot.fields)
         {
           const std::string name = dataset_name(field.name, taken);
-          write_table(file, name, stored(field.value), cells, 1).set_attribute("unit", field.unit);
+          hdf5_table::write(file, name, stored(field.value), cells, 1).set_attribute("unit", field.unit);
           grid += attribute(field.name, field.unit, "Scalar", "Cell",
                             data_item(stored_path, name, std::to_string(cells.global), "Float", bytes));
         }

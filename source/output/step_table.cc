@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/output/step_table.h>
 
 #include <array>
@@ -11,14 +12,6 @@ namespace whipple
 {
   namespace
   {
-    bool
-    is_rank_0(MPI_Comm communicator)
-    {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      return rank == 0;
-    }
-
     /// Shortest text that reads back as the same bits.
     void
     print(std::ostream &out, double value)
@@ -49,7 +42,7 @@ namespace whipple
 
   StepTable::StepTable(const std::string &path, MPI_Comm communicator, std::uint64_t kept)
     : path_(path)
-    , active_(is_rank_0(communicator))
+    , active_(is_first_rank(communicator))
   {
     if (!active_)
       return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/hdf5.h>
-
 #include <whipple/error.h>
 #include <whipple/output/checksum.h>
+#include <whipple/output/first_rank.h>
+#include <whipple/output/hdf5_table.h>
 
 #include "checkpoint_file.h"
 
@@ -14,25 +14,6 @@ namespace whipple::checkpoint_file
   {
     namespace HDF5 = dealii::HDF5;
 
-    /// Part of this rank in a dataset that all ranks share.
-    struct Stretch
-    {
-      std::uint64_t first = 0, own = 0, all = 0;
-    };
-
-    Stretch
-    stretch_of(std::uint64_t own, MPI_Comm communicator)
-    {
-      Stretch part{0, own, 0};
-      int     rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      MPI_Exscan(&own, &part.first, 1, MPI_UINT64_T, MPI_SUM, communicator);
-      if (rank == 0) // MPI leaves it undefined there
-        part.first = 0;
-      MPI_Allreduce(&own, &part.all, 1, MPI_UINT64_T, MPI_SUM, communicator);
-      return part;
-    }
-
     /// A table of `width` columns, every rank its rows, with the checksum of the whole.
     /// @returns that checksum
     template <typename Number>
@@ -40,12 +21,8 @@ namespace whipple::checkpoint_file
     write_table(const HDF5::Group &file, const std::string &name, const std::vector<Number> &values, std::size_t width,
                 MPI_Comm communicator)
     {
-      const Stretch part  = stretch_of(width > 0 ? values.size() / width : 0, communicator);
-      HDF5::DataSet table = file.create_dataset<Number>(name, {part.all, width});
-      if (part.own > 0)
-        table.write_hyperslab(values, {part.first, 0}, {part.own, width});
-      else
-        table.template write_none<Number>();
+      HDF5::DataSet table =
+          hdf5_table::write(file, name, values, hdf5_table::rows_of(values.size() / width, communicator), width);
       const std::string sum =
           checksum::text(checksum::of_all_ranks(std::as_bytes(std::span<const Number>(values)), communicator));
       table.set_attribute("crc32", sum);
@@ -60,12 +37,12 @@ namespace whipple::checkpoint_file
     {
       HDF5::DataSet table = file.open_dataset(name);
       const auto    size  = table.get_dimensions();
-      const Stretch part  = stretch_of(count, communicator);
-      if (size.size() != 2 || part.all != size[0])
-        throw StateError("dataset " + name + " has not " + std::to_string(part.all) + " rows");
+      const auto    rows  = hdf5_table::rows_of(count, communicator);
+      if (size.size() != 2 || rows.global != size[0])
+        throw StateError("dataset " + name + " has not " + std::to_string(rows.global) + " rows");
       std::vector<Number> values;
-      if (part.own > 0)
-        values = table.template read_hyperslab<std::vector<Number>>({part.first, 0}, {part.own, size[1]});
+      if (rows.local > 0)
+        values = table.template read_hyperslab<std::vector<Number>>({rows.offset, 0}, {rows.local, size[1]});
       else
         table.template read_none<Number>();
       const std::string sum =
@@ -87,14 +64,6 @@ namespace whipple::checkpoint_file
       MPI_Bcast(values.data(), static_cast<int>(size * sizeof(Number)), MPI_BYTE, 0, communicator);
     }
 
-    bool
-    is_first(MPI_Comm communicator)
-    {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      return rank == 0;
-    }
-
     std::string
     joined(const std::vector<std::string> &columns)
     {
@@ -113,7 +82,7 @@ namespace whipple::checkpoint_file
         double time, MPI_Comm communicator)
   {
     std::vector<unsigned int> leaves;
-    if (is_first(communicator))
+    if (is_first_rank(communicator))
       for (std::size_t i = 0; i < mesh.leaf.size(); ++i)
         for (const std::uint64_t word : {mesh.leaf[i] >> 32, mesh.leaf[i] & 0xffffffffu, std::uint64_t(mesh.active[i]),
                                          std::uint64_t(mesh.intact[i])})
@@ -131,7 +100,7 @@ namespace whipple::checkpoint_file
   {
     HDF5::File file(path, HDF5::File::FileAccessMode::open, communicator);
     const auto n      = file.open_dataset("leaves").get_dimensions().at(0);
-    auto       leaves = read_table<unsigned int>(file, "leaves", is_first(communicator) ? n : 0, communicator);
+    auto       leaves = read_table<unsigned int>(file, "leaves", is_first_rank(communicator) ? n : 0, communicator);
     broadcast(leaves, communicator);
     MeshImage mesh;
     mesh.halo_width = file.get_attribute<int>("halo width");

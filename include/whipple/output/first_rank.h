@@ -8,6 +8,14 @@
 
 namespace whipple
 {
+  inline bool
+  is_first_rank(MPI_Comm communicator)
+  {
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    return rank == 0;
+  }
+
   /// The text that the first rank has, on all. Collective.
   inline std::string
   from_first_rank(std::string text, MPI_Comm communicator)
@@ -27,9 +35,8 @@ namespace whipple
   on_first_rank(MPI_Comm communicator, const Work &work)
   {
     std::string message;
-    int         rank = 0, failed = 0;
-    MPI_Comm_rank(communicator, &rank);
-    if (rank == 0)
+    int         failed = 0;
+    if (is_first_rank(communicator))
       try
         {
           work();
