@@ -117,29 +117,6 @@ namespace whipple
   }
 
   template <int dim>
-  void
-  lump_masses(const FlatMesh<dim> &mesh, State<dim> &state)
-  {
-    state.node_mass.assign(mesh.n_nodes, 0.);
-    for (Index node = 0; node < mesh.n_nodes; ++node)
-      for (Index i = mesh.node_corner_begin[node]; i < mesh.node_corner_begin[node + 1]; ++i)
-        {
-          const Index corner = mesh.node_corner[i];
-          double      mass   = 0;
-          for (const MaterialState &material : state.material)
-            mass += material.mass[corner / FlatMesh<dim>::corners];
-          state.node_mass[node] += state.corner_weight[corner] * mass;
-        }
-    for (std::size_t i = 0; i < mesh.hanging.size(); ++i)
-      {
-        double &hanging = state.node_mass[mesh.hanging[i]];
-        for (const Index master : mesh.master[i])
-          state.node_mass[master] += 0.5 * hanging;
-        hanging = 0;
-      }
-  }
-
-  template <int dim>
   LagrangeStep<dim>::LagrangeStep(const FlatMesh<dim> &mesh, const std::vector<Material> &materials,
                                   const Boundaries<dim> &boundaries, const HydroParameters &parameters)
     : mesh_(mesh)
@@ -160,7 +137,23 @@ namespace whipple
   void
   LagrangeStep<dim>::update_node_mass(State<dim> &state) const
   {
-    lump_masses(mesh_, state);
+    state.node_mass.assign(mesh_.n_nodes, 0.);
+    for (Index node = 0; node < mesh_.n_nodes; ++node)
+      for (Index i = mesh_.node_corner_begin[node]; i < mesh_.node_corner_begin[node + 1]; ++i)
+        {
+          const Index corner = mesh_.node_corner[i];
+          double      mass   = 0;
+          for (const MaterialState &material : state.material)
+            mass += material.mass[corner / FlatMesh<dim>::corners];
+          state.node_mass[node] += state.corner_weight[corner] * mass;
+        }
+    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
+      {
+        double &hanging = state.node_mass[mesh_.hanging[i]];
+        for (const Index master : mesh_.master[i])
+          state.node_mass[master] += 0.5 * hanging;
+        hanging = 0;
+      }
   }
 
   template <int dim>
@@ -263,7 +256,5 @@ namespace whipple
 
   template void
   initialise_geometry<2>(const FlatMesh<2> &, State<2> &);
-  template void
-  lump_masses(const FlatMesh<2> &, State<2> &);
   template class LagrangeStep<2>;
 } // namespace whipple

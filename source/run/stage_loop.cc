@@ -64,9 +64,8 @@ namespace whipple
     const Domain<dim>   &domain = run_.domain;
     const FlatMesh<dim> &mesh   = domain.view->mesh;
     cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    cycle_->evaluate(run_.domain.state, run_.domain.derived);
-    guard_ = Regridding<dim>::guard_cells(mesh);
-    cells_ = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
+    guard_                      = Regridding<dim>::guard_cells(mesh);
+    cells_                      = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
     find_locked();
   }
 
@@ -247,15 +246,15 @@ namespace whipple
     const bool          new_view = last_good_.restore(layout_, run_);
     StageProgress      &progress = run_.books.progress;
     reporter_.steps_undone(run_.books);
-    if (new_view || !cycle_ || cycle_->mesh() != &run_.domain.view->mesh)
-      use_mesh();
-    else
-      cycle_->evaluate(run_.domain.state, run_.domain.derived);
     progress.ceiling      = retry_factor * tried_dt_;
     progress.failed_until = until;
     progress.retries      = failed.retries;
     progress.locked       = failed.locked;
-    find_locked();
+    if (new_view)
+      use_mesh();
+    else
+      find_locked();
+    cycle_->evaluate(run_.domain.state, run_.domain.derived);
     run_.books.summary.counts.retries = retries;
     if (progress.retries >= most_retries)
       {
@@ -344,6 +343,7 @@ namespace whipple
       {
         wall_start_ = MPI_Wtime() - run_.record().wall_s;
         use_mesh();
+        cycle_->evaluate(run_.domain.state, run_.domain.derived);
       }
     else
       {

@@ -34,11 +34,6 @@ namespace whipple
   void
   initialise_geometry(const FlatMesh<dim> &mesh, State<dim> &state);
 
-  /// Lumped node masses, g, from masses and corner weights of the cells: hanging nodes give theirs to their masters.
-  template <int dim>
-  void
-  lump_masses(const FlatMesh<dim> &mesh, State<dim> &state);
-
   /// The compatible staggered Lagrange step on a FlatMesh: the nodes move with the material, internal energy
   /// comes from the work of the very forces that accelerate them, so total energy holds to round-off.
   ///
@@ -53,7 +48,8 @@ namespace whipple
     LagrangeStep(const FlatMesh<dim> &mesh, const std::vector<Material> &materials, const Boundaries<dim> &boundaries,
                  const HydroParameters &parameters);
 
-    /// lump_masses()
+    /// Lumped node masses, g: corner weights times the mass of the cell; hanging nodes give theirs to
+    /// their masters.
     void
     update_node_mass(State<dim> &state) const;
 

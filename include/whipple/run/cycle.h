@@ -43,13 +43,6 @@ namespace whipple
     void
     evaluate(const State<dim> &state, Derived &derived);
 
-    /// What it was made for.
-    const FlatMesh<dim> *
-    mesh() const
-    {
-      return &mesh_;
-    }
-
     /// @param derived of this state
     /// @param exempt  owned elements, ascending, that keep their shape
     /// @throws StateError on all ranks

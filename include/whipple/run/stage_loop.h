@@ -37,10 +37,10 @@ namespace whipple
   private:
     void
     begin();
-    /// Build what belongs to the mesh and its bonds, of a run that goes on with it.
+    /// Build what belongs to the mesh and its bonds.
     void
     use_mesh();
-    /// The same of a mesh that the run has just got.
+    /// The same of a mesh that the run has just got, with node masses and what follows from the state.
     void
     new_mesh();
     void
