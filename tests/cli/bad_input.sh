@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # What is wrong with the input is one line on standard error and exit status 2; nothing is computed or written.
 program=$1
+. "$2/tests/cli/common/refuses.sh"
 
 # rejects WORDS ARGUMENTS...: the message holds WORDS
 rejects() {
   words=$1
   shift
-  status=0
-  "$program" "$@" >out.txt 2>err.txt || status=$?
-  [ "$status" -eq 2 ] || { echo "status $status, not 2: $*"; cat err.txt; exit 1; }
-  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "not one line: $*"; cat err.txt; exit 1; }
-  grep -qF -- "$words" err.txt || { echo "'$words' is not in:"; cat err.txt; exit 1; }
-  [ ! -s out.txt ] || { echo "output despite wrong input: $*"; exit 1; }
+  refuses_quietly "$words" "$program" "$@"
 }
 
 rejects "unknown verb 'fly'" fly

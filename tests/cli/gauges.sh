@@ -3,21 +3,13 @@
 # there is no material, the picture of each, and no folder where nobody has asked for gauges.
 program=$1
 source=$2
+. "$source/tests/cli/common/refuses.sh"
 scene=$source/prm/verification/aluminium_impact.prm
 
 rejects() {
   words=$1
   shift
-  for setting; do
-    set -- "$@" --set "$setting"
-    shift
-  done
-  status=0
-  "$program" run "$scene" --validate "$@" >out.txt 2>err.txt || status=$?
-  [ "$status" -eq 2 ] || { echo "status $status, not 2: $*"; cat err.txt; exit 1; }
-  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "not one line: $*"; cat err.txt; exit 1; }
-  grep -qF -- "$words" err.txt || { echo "'$words' is not in:"; cat err.txt; exit 1; }
-  [ ! -s out.txt ] || { echo "output despite wrong input: $*"; exit 1; }
+  refuses_settings "$words" "$scene" "$@"
 }
 
 rejects 'Gauges/a/Point' 'Gauges/List = a'

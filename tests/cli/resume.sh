@@ -2,6 +2,7 @@
 # A run that stops at its wall time limit goes on and ends like one that did not stop; what cannot go on says why in one line.
 program=$1
 source=$2
+. "$source/tests/cli/common/refuses.sh"
 scene=$source/prm/whipple_shield.prm
 
 run() { "$program" run "$@" >out.txt 2>err.txt; }
@@ -10,11 +11,7 @@ run() { "$program" run "$@" >out.txt 2>err.txt; }
 rejects() {
   words=$1
   shift
-  status=0
-  run "$@" || status=$?
-  [ "$status" -eq 2 ] || { echo "status $status, not 2: $*"; cat err.txt; exit 1; }
-  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "not one line: $*"; cat err.txt; exit 1; }
-  grep -qF -- "$words" err.txt || { echo "'$words' is not in:"; cat err.txt; exit 1; }
+  refuses "$words" "$program" run "$@"
 }
 
 rm -rf whole stopped other

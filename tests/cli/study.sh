@@ -3,6 +3,7 @@
 # wrong with a point, and is plotted.
 program=$1
 source=$2
+. "$source/tests/cli/common/refuses.sh"
 
 # study FILE AXIS...: the first microseconds of the shield on coarse cells, and one more axis
 study() {
@@ -27,11 +28,7 @@ END_OF_STUDY
 rejects() {
   words=$1
   shift
-  status=0
-  "$program" study "$@" >out.txt 2>err.txt || status=$?
-  [ "$status" -eq 2 ] || { echo "status $status, not 2: $*"; cat err.txt; exit 1; }
-  [ "$(wc -l <err.txt)" -eq 1 ] || { echo "not one line: $*"; cat err.txt; exit 1; }
-  grep -qF -- "$words" err.txt || { echo "'$words' is not in:"; cat err.txt; exit 1; }
+  refuses "$words" "$program" study "$@"
 }
 
 rm -rf ./*.prm output mine
