@@ -64,8 +64,8 @@ namespace whipple
           MaterialWork &next = work.material[m];
           for (auto *array : {&next.volume, &next.density, &next.energy})
             array->resize(mesh.n_cells);
-          next.trace_density  = materials[m].trace_density;
-          next.normal_density = materials[m].eos->reference_density();
+          next.trace_density     = materials[m].trace_density;
+          next.reference_density = materials[m].eos->reference_density();
           if (materials.size() > 1)
             next.half_pressure.resize(mesh.n_cells);
           if (materials[m].void_law)

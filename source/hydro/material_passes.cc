@@ -64,7 +64,7 @@ namespace whipple::material_passes
         {
           const double phi       = material.void_fraction[c];
           const bool   collapsed = material.mass[c] <= next.trace_density * volume[c] &&
-                                 next.density[c] > squeezed * next.normal_density * (1. - phi);
+                                 next.density[c] > squeezed * next.reference_density * (1. - phi);
           next.void_fraction[c] = collapsed ? 0. : phi;
         }
     }

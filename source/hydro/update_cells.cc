@@ -68,7 +68,7 @@ namespace whipple::cell_kernels
           if (!(material.volume[cell] > 0) || trace::has_state(material, next, state.volume[cell], cell))
             continue;
           next.volume[cell] = beside_others
-                                  ? material.mass[cell] / next.normal_density
+                                  ? material.mass[cell] / next.reference_density
                                   : material.volume[cell] * std::min(1., work.volume[cell] / state.volume[cell]);
           sum += next.volume[cell];
         }

@@ -40,11 +40,11 @@ namespace whipple::aluminium_phases
     std::pair<double, double>
     softest(double temperature)
     {
-      const auto stiffness = [&](double gamma) { return Fluid::thermal(gamma, temperature).dp_dgamma; };
+      const auto stiffness = [&](double true_density) { return Fluid::thermal(true_density, temperature).dp_ddensity; };
       double     best      = 0.1;
-      for (double gamma = 0.1; gamma < 1.8; gamma += 0.01)
-        if (stiffness(gamma) < stiffness(best))
-          best = gamma;
+      for (double true_density = 0.1; true_density < 1.8; true_density += 0.01)
+        if (stiffness(true_density) < stiffness(best))
+          best = true_density;
       double lower = best - 0.01, upper = best + 0.01;
       while (upper - lower > 1e-9)
         {

@@ -47,12 +47,12 @@ namespace whipple
   }
 
   inline CubicMieGrueneisen::Value
-  CubicMieGrueneisen::value(double gamma, double energy) const
+  CubicMieGrueneisen::value(double true_density, double energy) const
   {
     const Constants     &k          = constants;
     const double         c0c0       = k.sound_speed * k.sound_speed;
-    const double         eta        = gamma / k.reference_density;
-    const double         v          = k.reference_density / gamma;
+    const double         eta        = true_density / k.reference_density;
+    const double         v          = k.reference_density / true_density;
     const double         grueneisen = k.grueneisen + k.grueneisen_slope * (eta - 1.);
     const ReferenceCurve reference  = reference_curve(k.hugoniot, eta, v, grueneisen);
     // What a rising Gamma gamma takes from the reference curve; 0 in expansion, as P_H is.
@@ -62,25 +62,26 @@ namespace whipple
   }
 
   void
-  CubicMieGrueneisen::evaluate(std::span<const double> gamma, std::span<const double> energy,
+  CubicMieGrueneisen::evaluate(std::span<const double> true_density, std::span<const double> energy,
                                std::span<double> pressure, std::span<double> sound_speed_squared) const
   {
-    pointwise::evaluate([this](double g, double e) { return value(g, e); }, gamma, energy, pressure,
+    pointwise::evaluate([this](double g, double e) { return value(g, e); }, true_density, energy, pressure,
                         sound_speed_squared);
   }
 
   void
-  CubicMieGrueneisen::derivatives(std::span<const double> gamma, std::span<const double> energy,
-                                  std::span<double> dp_dgamma, std::span<double> dp_de) const
+  CubicMieGrueneisen::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                                  std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
-    pointwise::derivatives([this](double g, double e) { return value(g, e); }, gamma, energy, dp_dgamma, dp_de);
+    pointwise::derivatives([this](double g, double e) { return value(g, e); }, true_density, energy, dp_ddensity,
+                           dp_de);
   }
 
   double
-  CubicMieGrueneisen::energy_of_pressure(double gamma, double pressure) const
+  CubicMieGrueneisen::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
-    const Value cold = value(gamma, 0.);
+    check_density(true_density);
+    const Value cold = value(true_density, 0.);
     return (pressure - cold.pressure) / cold.dp_de;
   }
 
@@ -105,11 +106,11 @@ namespace whipple
   namespace
   {
     PublishedConstants
-    row(const char *material, double gamma0, double c0, CubicHugoniot hugoniot, double grueneisen,
+    row(const char *material, double density, double c0, CubicHugoniot hugoniot, double grueneisen,
         double grueneisen_slope, const char *caution)
     {
       return {material,
-              {{"Density", gamma0},
+              {{"Density", density},
                {"Sound speed", c0},
                {"Hugoniot slope", hugoniot.s1},
                {"Hugoniot quadratic slope", hugoniot.s2},

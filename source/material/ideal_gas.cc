@@ -8,50 +8,50 @@ namespace whipple
 {
   IdealGas::IdealGas(double adiabatic_exponent, double reference_density)
     : exponent_minus_1(adiabatic_exponent - 1.)
-    , gamma0(reference_density)
+    , reference_density_(reference_density)
   {
     require_greater(name(), "adiabatic exponent", adiabatic_exponent, 1., "");
     require_positive(name(), "density", reference_density, "g/cm^3");
   }
 
   void
-  IdealGas::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+  IdealGas::evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
                      std::span<double> sound_speed_squared) const
   {
     const double      k1 = exponent_minus_1;
     const double      kk = (k1 + 1.) * k1;
-    const std::size_t n  = gamma.size();
+    const std::size_t n  = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        pressure[i]            = k1 * gamma[i] * energy[i];
+        pressure[i]            = k1 * true_density[i] * energy[i];
         sound_speed_squared[i] = kk * energy[i];
       }
   }
 
   void
-  IdealGas::derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
-                        std::span<double> dp_de) const
+  IdealGas::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                        std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
     const double      k1 = exponent_minus_1;
-    const std::size_t n  = gamma.size();
+    const std::size_t n  = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        dp_dgamma[i] = k1 * energy[i];
-        dp_de[i]     = k1 * gamma[i];
+        dp_ddensity[i] = k1 * energy[i];
+        dp_de[i]       = k1 * true_density[i];
       }
   }
 
   double
-  IdealGas::energy_of_pressure(double gamma, double pressure) const
+  IdealGas::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
-    return pressure / (exponent_minus_1 * gamma);
+    check_density(true_density);
+    return pressure / (exponent_minus_1 * true_density);
   }
 
   double
   IdealGas::reference_density() const
   {
-    return gamma0;
+    return reference_density_;
   }
 
   std::string

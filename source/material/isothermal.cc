@@ -31,22 +31,22 @@ namespace whipple
   {
     if (!law)
       throw InputError("isothermal: there is no equation of state to hold at constant temperature");
-    const double gamma0 = law->reference_density();
+    const double at_rest = law->reference_density();
     double       stiffness, dp_de;
-    law->derivatives({&gamma0, 1}, std::span(no_energy).first(1), {&stiffness, 1}, {&dp_de, 1});
+    law->derivatives({&at_rest, 1}, std::span(no_energy).first(1), {&stiffness, 1}, {&dp_de, 1});
     if (!(stiffness > 0.))
       throw InputError("isothermal = true: equation of state '" + law->name() +
                        "' has no pressure without energy; allowed with laws of solids only");
   }
 
   void
-  IsothermalEquationOfState::evaluate(std::span<const double> gamma, std::span<const double>,
+  IsothermalEquationOfState::evaluate(std::span<const double> true_density, std::span<const double>,
                                       std::span<double> pressure, std::span<double> sound_speed_squared) const
   {
-    in_blocks(gamma.size(), [&](std::size_t start, std::size_t length, std::span<const double> zeros) {
+    in_blocks(true_density.size(), [&](std::size_t start, std::size_t length, std::span<const double> zeros) {
       const auto p    = pressure.subspan(start, length);
       const auto c2   = sound_speed_squared.subspan(start, length);
-      const auto here = gamma.subspan(start, length);
+      const auto here = true_density.subspan(start, length);
 
       std::array<double, no_energy.size()> dp_de;
       // c^2 = dP/dgamma: the energy that work adds has no say.
@@ -56,27 +56,27 @@ namespace whipple
   }
 
   void
-  IsothermalEquationOfState::derivatives(std::span<const double> gamma, std::span<const double>,
-                                         std::span<double> dp_dgamma, std::span<double> dp_de) const
+  IsothermalEquationOfState::derivatives(std::span<const double> true_density, std::span<const double>,
+                                         std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
-    in_blocks(gamma.size(), [&](std::size_t start, std::size_t length, std::span<const double> zeros) {
-      law->derivatives(gamma.subspan(start, length), zeros, dp_dgamma.subspan(start, length),
+    in_blocks(true_density.size(), [&](std::size_t start, std::size_t length, std::span<const double> zeros) {
+      law->derivatives(true_density.subspan(start, length), zeros, dp_ddensity.subspan(start, length),
                        dp_de.subspan(start, length));
     });
     std::fill(dp_de.begin(), dp_de.end(), 0.);
   }
 
   double
-  IsothermalEquationOfState::energy_of_pressure(double gamma, double pressure) const
+  IsothermalEquationOfState::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
-    double cold, stiffness, gamma0 = reference_density(), reference_stiffness, unused;
-    evaluate({&gamma, 1}, {}, {&cold, 1}, {&stiffness, 1});
-    derivatives({&gamma0, 1}, {}, {&reference_stiffness, 1}, {&unused, 1});
-    if (!(std::abs(pressure - cold) <= 1e-12 * gamma0 * reference_stiffness))
+    check_density(true_density);
+    double cold, stiffness, at_rest = reference_density(), reference_stiffness, unused;
+    evaluate({&true_density, 1}, {}, {&cold, 1}, {&stiffness, 1});
+    derivatives({&at_rest, 1}, {}, {&reference_stiffness, 1}, {&unused, 1});
+    if (!(std::abs(pressure - cold) <= 1e-12 * at_rest * reference_stiffness))
       {
         std::ostringstream message;
-        message << name() << " (isothermal): pressure at density " << gamma << " g/cm^3 is " << cold
+        message << name() << " (isothermal): pressure at density " << true_density << " g/cm^3 is " << cold
                 << " Mbar whatever the energy; " << pressure << " Mbar cannot be had";
         throw StateError(message.str());
       }

@@ -57,52 +57,52 @@ namespace whipple
   }
 
   void
-  LinearPolynomial::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
-                             std::span<double> sound_speed_squared) const
+  LinearPolynomial::evaluate(std::span<const double> true_density, std::span<const double> energy,
+                             std::span<double> pressure, std::span<double> sound_speed_squared) const
   {
-    const Constants   c       = constants;
-    const double      gamma0  = c.reference_density;
-    const double      inverse = 1. / gamma0;
-    const std::size_t n       = gamma.size();
+    const Constants   c                 = constants;
+    const double      reference_density = c.reference_density;
+    const double      inverse           = 1. / reference_density;
+    const std::size_t n                 = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        const double   v       = gamma0 / gamma[i];
-        const Pressure p       = polynomial(c, gamma[i] * inverse - 1., gamma0 * energy[i]);
+        const double   v       = reference_density / true_density[i];
+        const Pressure p       = polynomial(c, true_density[i] * inverse - 1., reference_density * energy[i]);
         pressure[i]            = p.value;
         sound_speed_squared[i] = inverse * (p.dp_dmu + p.value * p.dp_dE * (v * v));
       }
   }
 
   void
-  LinearPolynomial::derivatives(std::span<const double> gamma, std::span<const double> energy,
-                                std::span<double> dp_dgamma, std::span<double> dp_de) const
+  LinearPolynomial::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                                std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
-    const Constants   c       = constants;
-    const double      gamma0  = c.reference_density;
-    const double      inverse = 1. / gamma0;
-    const std::size_t n       = gamma.size();
+    const Constants   c                 = constants;
+    const double      reference_density = c.reference_density;
+    const double      inverse           = 1. / reference_density;
+    const std::size_t n                 = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        const Pressure p = polynomial(c, gamma[i] * inverse - 1., gamma0 * energy[i]);
-        dp_dgamma[i]     = p.dp_dmu * inverse;
-        dp_de[i]         = p.dp_dE * gamma0;
+        const Pressure p = polynomial(c, true_density[i] * inverse - 1., reference_density * energy[i]);
+        dp_ddensity[i]   = p.dp_dmu * inverse;
+        dp_de[i]         = p.dp_dE * reference_density;
       }
   }
 
   double
-  LinearPolynomial::energy_of_pressure(double gamma, double pressure) const
+  LinearPolynomial::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
-    const double   gamma0 = constants.reference_density;
-    const Pressure cold   = polynomial(constants, gamma / gamma0 - 1., 0.);
+    check_density(true_density);
+    const double   reference_density = constants.reference_density;
+    const Pressure cold              = polynomial(constants, true_density / reference_density - 1., 0.);
     if (cold.dp_dE == 0.)
       {
         std::ostringstream message;
-        message << name() << ": pressure does not depend on energy at density " << gamma
+        message << name() << ": pressure does not depend on energy at density " << true_density
                 << " g/cm^3 (c4 + c5 mu + c6 mu^2 = 0); no energy gives " << pressure << " Mbar";
         throw StateError(message.str());
       }
-    return (pressure - cold.value) / (cold.dp_dE * gamma0);
+    return (pressure - cold.value) / (cold.dp_dE * reference_density);
   }
 
   double

@@ -17,23 +17,23 @@ namespace whipple
   }
 
   void
-  MieGrueneisen::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
-                          std::span<double> sound_speed_squared) const
+  MieGrueneisen::evaluate(std::span<const double> true_density, std::span<const double> energy,
+                          std::span<double> pressure, std::span<double> sound_speed_squared) const
   {
-    const double         gamma0  = constants.reference_density;
-    const double         inverse = 1. / gamma0;
-    const double         c0c0    = constants.sound_speed * constants.sound_speed;
+    const double         reference_density = constants.reference_density;
+    const double         inverse           = 1. / reference_density;
+    const double         c0c0              = constants.sound_speed * constants.sound_speed;
     const LinearHugoniot hugoniot{constants.hugoniot_slope};
     const double         grueneisen    = constants.grueneisen;
-    const double         bulk_modulus  = gamma0 * c0c0;
-    const double         thermal       = grueneisen * gamma0;
+    const double         bulk_modulus  = reference_density * c0c0;
+    const double         thermal       = grueneisen * reference_density;
     const double         thermal_slope = grueneisen * inverse;
 
-    const std::size_t n = gamma.size();
+    const std::size_t n = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        const double         v         = gamma0 / gamma[i];
-        const ReferenceCurve reference = reference_curve(hugoniot, gamma[i] * inverse, v, grueneisen);
+        const double         v         = reference_density / true_density[i];
+        const ReferenceCurve reference = reference_curve(hugoniot, true_density[i] * inverse, v, grueneisen);
         const double         p         = bulk_modulus * reference.pressure + thermal * energy[i];
         pressure[i]                    = p;
         // (P / gamma^2) dP/de = P (Gamma0 / gamma0) v^2
@@ -42,34 +42,36 @@ namespace whipple
   }
 
   void
-  MieGrueneisen::derivatives(std::span<const double> gamma, std::span<const double>, std::span<double> dp_dgamma,
-                             std::span<double> dp_de) const
+  MieGrueneisen::derivatives(std::span<const double> true_density, std::span<const double>,
+                             std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
-    const double         gamma0  = constants.reference_density;
-    const double         inverse = 1. / gamma0;
-    const double         c0c0    = constants.sound_speed * constants.sound_speed;
+    const double         reference_density = constants.reference_density;
+    const double         inverse           = 1. / reference_density;
+    const double         c0c0              = constants.sound_speed * constants.sound_speed;
     const LinearHugoniot hugoniot{constants.hugoniot_slope};
     const double         grueneisen = constants.grueneisen;
-    const double         thermal    = grueneisen * gamma0;
+    const double         thermal    = grueneisen * reference_density;
 
-    const std::size_t n = gamma.size();
+    const std::size_t n = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        dp_dgamma[i] = c0c0 * reference_curve(hugoniot, gamma[i] * inverse, gamma0 / gamma[i], grueneisen).slope;
-        dp_de[i]     = thermal;
+        dp_ddensity[i] =
+            c0c0 *
+            reference_curve(hugoniot, true_density[i] * inverse, reference_density / true_density[i], grueneisen).slope;
+        dp_de[i] = thermal;
       }
   }
 
   double
-  MieGrueneisen::energy_of_pressure(double gamma, double pressure) const
+  MieGrueneisen::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
-    const double gamma0 = constants.reference_density;
-    const double reference =
-        gamma0 * constants.sound_speed * constants.sound_speed *
-        reference_curve(LinearHugoniot{constants.hugoniot_slope}, gamma / gamma0, gamma0 / gamma, constants.grueneisen)
-            .pressure;
-    return (pressure - reference) / (constants.grueneisen * gamma0);
+    check_density(true_density);
+    const double reference_density = constants.reference_density;
+    const double reference         = reference_density * constants.sound_speed * constants.sound_speed *
+                             reference_curve(LinearHugoniot{constants.hugoniot_slope}, true_density / reference_density,
+                                             reference_density / true_density, constants.grueneisen)
+                                 .pressure;
+    return (pressure - reference) / (constants.grueneisen * reference_density);
   }
 
   double

@@ -37,15 +37,15 @@ namespace whipple
     solid_pressure(const EquationOfState &eos, std::span<const double> rho, std::span<const double> energy,
                    std::span<const double> phi, Block &pressure)
     {
-      const std::size_t n      = rho.size();
-      const double      gamma0 = eos.reference_density(), limit = largest_trial_density(eos);
-      Block             gamma, sound_speed_squared;
+      const std::size_t n                 = rho.size();
+      const double      reference_density = eos.reference_density(), limit = largest_trial_density(eos);
+      Block             true_density, sound_speed_squared;
       for (std::size_t i = 0; i < n; ++i)
         {
-          const double g = rho[i] / (1. - phi[i]);
-          gamma[i]       = rho[i] > 0. ? std::min(g, limit) : gamma0;
+          const double g  = rho[i] / (1. - phi[i]);
+          true_density[i] = rho[i] > 0. ? std::min(g, limit) : reference_density;
         }
-      eos.evaluate(first(gamma, n), energy, first(pressure, n), first(sound_speed_squared, n));
+      eos.evaluate(first(true_density, n), energy, first(pressure, n), first(sound_speed_squared, n));
     }
 
     /// Pores in tension beyond the threshold open to P_s = 0; what is looser than phi0 closes towards phi0.

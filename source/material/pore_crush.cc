@@ -28,7 +28,7 @@ namespace whipple
       std::array<std::size_t, crush_block_length>  cell;
       Block                                        rho, energy;
       Block                                        x, lower, upper; // the iterate and its bracket
-      Block                                        gamma, pressure;
+      Block                                        true_density, pressure;
       std::array<std::int64_t, crush_block_length> done; // 1: x is final; as wide as a double, for vector code
     };
 
@@ -56,8 +56,8 @@ namespace whipple
 
       Block closed, sound_speed_squared;
       for (std::size_t k = 0; k < n; ++k)
-        crushing.gamma[k] = std::min(crushing.rho[k], limit);
-      eos.evaluate(first(crushing.gamma, n), first(crushing.energy, n), first(closed, n),
+        crushing.true_density[k] = std::min(crushing.rho[k], limit);
+      eos.evaluate(first(crushing.true_density, n), first(crushing.energy, n), first(closed, n),
                    first(sound_speed_squared, n));
       std::size_t kept = 0;
       for (std::size_t k = 0; k < n; ++k)
@@ -84,7 +84,7 @@ namespace whipple
     /// vectorises, and cells that are done keep their x.
     /// @returns how many are done.
     std::size_t
-    newton_step(const CrushCurve &curve, const Block &dp_dgamma, CrushingCells &crushing)
+    newton_step(const CrushCurve &curve, const Block &dp_ddensity, CrushingCells &crushing)
     {
       constexpr double rounding  = 2. * std::numeric_limits<double>::epsilon();
       constexpr double quadratic = 1e-9; // after a Newton step this small, what is left is below rounding
@@ -96,7 +96,7 @@ namespace whipple
           const double bulk     = crushing.pressure[k] / alpha;
           const double residual = bulk - curve.pressure(x);
           const double slope =
-              (crushing.rho[k] * dp_dgamma[k] - bulk) / alpha * (2. * curve.distension * x) + curve.fall;
+              (crushing.rho[k] * dp_ddensity[k] - bulk) / alpha * (2. * curve.distension * x) + curve.fall;
           const double newton  = x - residual / slope;
           const double lower   = residual < 0. ? x : crushing.lower[k];
           const double upper   = residual < 0. ? crushing.upper[k] : x;
@@ -118,16 +118,17 @@ namespace whipple
     solve(const EquationOfState &eos, const CrushCurve &curve, std::span<double> phi, CrushingCells &crushing)
     {
       const std::size_t n = crushing.count;
-      Block             dp_dgamma, dp_de, sound_speed_squared;
+      Block             dp_ddensity, dp_de, sound_speed_squared;
       std::size_t       done = 0;
       for (int iteration = 0; iteration < max_iterations && done < n; ++iteration)
         {
           for (std::size_t k = 0; k < n; ++k)
-            crushing.gamma[k] = (1. + curve.distension * crushing.x[k] * crushing.x[k]) * crushing.rho[k];
-          eos.evaluate(first(crushing.gamma, n), first(crushing.energy, n), first(crushing.pressure, n),
+            crushing.true_density[k] = (1. + curve.distension * crushing.x[k] * crushing.x[k]) * crushing.rho[k];
+          eos.evaluate(first(crushing.true_density, n), first(crushing.energy, n), first(crushing.pressure, n),
                        first(sound_speed_squared, n));
-          eos.derivatives(first(crushing.gamma, n), first(crushing.energy, n), first(dp_dgamma, n), first(dp_de, n));
-          done = newton_step(curve, dp_dgamma, crushing);
+          eos.derivatives(first(crushing.true_density, n), first(crushing.energy, n), first(dp_ddensity, n),
+                          first(dp_de, n));
+          done = newton_step(curve, dp_ddensity, crushing);
         }
       // A state that is not a number is not done; it keeps the phi it had.
       for (std::size_t k = 0; k < n; ++k)

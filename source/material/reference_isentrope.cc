@@ -28,11 +28,11 @@ namespace whipple
     Slopes
     slopes(const EquationOfState &eos, double v, const Isentrope &at)
     {
-      const double gamma0 = eos.reference_density(), gamma = gamma0 / v;
-      double       pressure, square, dp_dgamma, dp_de;
-      eos.evaluate({&gamma, 1}, {&at.energy, 1}, {&pressure, 1}, {&square, 1});
-      eos.derivatives({&gamma, 1}, {&at.energy, 1}, {&dp_dgamma, 1}, {&dp_de, 1});
-      return {-pressure / gamma0, -at.temperature * dp_de / gamma0};
+      const double reference_density = eos.reference_density(), true_density = reference_density / v;
+      double       pressure, square, dp_ddensity, dp_de;
+      eos.evaluate({&true_density, 1}, {&at.energy, 1}, {&pressure, 1}, {&square, 1});
+      eos.derivatives({&true_density, 1}, {&at.energy, 1}, {&dp_ddensity, 1}, {&dp_de, 1});
+      return {-pressure / reference_density, -at.temperature * dp_de / reference_density};
     }
 
     Isentrope

@@ -19,7 +19,7 @@ namespace whipple::aluminium_phases
       for (int iteration = 0; iteration < 50; ++iteration)
         {
           const auto p = Phase::caloric(density, energy);
-          density -= p.pressure / p.dp_dgamma;
+          density -= p.pressure / p.dp_ddensity;
         }
       return density;
     }
@@ -38,7 +38,7 @@ namespace whipple::aluminium_phases
     double
     stiffness_of(double density, double energy)
     {
-      return density * Phase::caloric(density, energy).dp_dgamma;
+      return density * Phase::caloric(density, energy).dp_ddensity;
     }
   } // namespace
 

@@ -58,44 +58,46 @@ namespace whipple
   }
 
   inline bool
-  SolidLiquidVapour::below_solidus(double gamma, double energy, double temperature) const
+  SolidLiquidVapour::below_solidus(double true_density, double energy, double temperature) const
   {
     if (energy < release.melt_onset)
       return true;
-    return gamma >= solidus.first() && (temperature <= melting.first() || gamma >= melting.dense_density(temperature));
+    return true_density >= solidus.first() &&
+           (temperature <= melting.first() || true_density >= melting.dense_density(temperature));
   }
 
   SolidLiquidVapour::Phase
-  SolidLiquidVapour::phase(double gamma, double energy) const
+  SolidLiquidVapour::phase(double true_density, double energy) const
   {
-    if (energy < release.critical_energy && gamma < release.density(energy).value)
+    if (energy < release.critical_energy && true_density < release.density(energy).value)
       return energy < release.vapour_onset ? Phase::tension : Phase::boiling;
-    if (below_solidus(gamma, energy, Solid::temperature(gamma, energy)))
+    if (below_solidus(true_density, energy, Solid::temperature(true_density, energy)))
       return Phase::solid;
-    const double temperature = Fluid::temperature(gamma, energy);
-    if (energy < release.melt_complete || temperature <= melting.first() || gamma > melting.light_density(temperature))
+    const double temperature = Fluid::temperature(true_density, energy);
+    if (energy < release.melt_complete || temperature <= melting.first() ||
+        true_density > melting.light_density(temperature))
       return Phase::melting;
     const bool subcritical = energy >= release.critical_energy && temperature < boiling.critical_temperature();
     if (subcritical)
       {
         const double tau = boiling.parameter(temperature);
-        if (gamma > boiling.light_density(tau) && gamma < boiling.dense_density(tau))
+        if (true_density > boiling.light_density(tau) && true_density < boiling.dense_density(tau))
           return Phase::boiling;
       }
     return Phase::fluid;
   }
 
   aluminium_phases::Melting::Mixture
-  SolidLiquidVapour::melting_mixture(double gamma, double energy) const
+  SolidLiquidVapour::melting_mixture(double true_density, double energy) const
   {
     // Solid would be hotter than the mixture, liquid colder.
-    const double colder = std::max(melting.first(), Fluid::temperature(gamma, energy));
-    const double hotter = std::min(melting.last(), Solid::temperature(gamma, energy));
-    return melting.mixture(gamma, energy, colder, hotter);
+    const double colder = std::max(melting.first(), Fluid::temperature(true_density, energy));
+    const double hotter = std::min(melting.last(), Solid::temperature(true_density, energy));
+    return melting.mixture(true_density, energy, colder, hotter);
   }
 
   void
-  SolidLiquidVapour::add_tension(double gamma, double energy, Value &value) const
+  SolidLiquidVapour::add_tension(double true_density, double energy, Value &value) const
   {
     const double t = std::clamp((energy - weakening_begins) / (weakening_ends - weakening_begins), 0., 1.);
     if (t >= 1.)
@@ -104,98 +106,99 @@ namespace whipple
     const double strength_slope = -6. * t * (1. - t) / (weakening_ends - weakening_begins);
     const auto   line           = release.density(energy);
     const auto   stiffness      = release.stiffness(energy);
-    const double y              = gamma / line.value;
+    const double y              = true_density / line.value;
     const double mu             = y - 1.;
     const double f              = mu * (1. + mu * mu / y);
     const double slope          = 1. + mu * mu * (2. * y + 1.) / (y * y);
     value.pressure += strength * stiffness.value * f;
-    value.dp_dgamma += strength * stiffness.value * slope / line.value;
+    value.dp_ddensity += strength * stiffness.value * slope / line.value;
     value.dp_de += (strength_slope * stiffness.value + strength * stiffness.slope) * f -
                    strength * stiffness.value * slope * y * line.slope / line.value;
   }
 
   SolidLiquidVapour::Value
-  SolidLiquidVapour::value(double gamma, double energy) const
+  SolidLiquidVapour::value(double true_density, double energy) const
   {
-    switch (phase(gamma, energy))
+    switch (phase(true_density, energy))
       {
       case Phase::solid:
         {
-          const auto p = Solid::caloric(gamma, energy);
-          return {p.pressure, p.dp_dgamma, p.dp_de};
+          const auto p = Solid::caloric(true_density, energy);
+          return {p.pressure, p.dp_ddensity, p.dp_de};
         }
       case Phase::fluid:
         {
-          const auto p = Fluid::caloric(gamma, energy);
-          return {p.pressure, p.dp_dgamma, p.dp_de};
+          const auto p = Fluid::caloric(true_density, energy);
+          return {p.pressure, p.dp_ddensity, p.dp_de};
         }
       case Phase::melting:
         {
-          const auto mixture = melting_mixture(gamma, energy);
-          return {mixture.pressure, mixture.dp_dgamma, mixture.dp_de};
+          const auto mixture = melting_mixture(true_density, energy);
+          return {mixture.pressure, mixture.dp_ddensity, mixture.dp_de};
         }
       case Phase::boiling:
         {
-          const auto mixture = boiling.mixture(gamma, energy, boiling.first(), boiling.last());
-          Value      result{mixture.pressure, mixture.dp_dgamma, mixture.dp_de};
-          add_tension(gamma, energy, result);
+          const auto mixture = boiling.mixture(true_density, energy, boiling.first(), boiling.last());
+          Value      result{mixture.pressure, mixture.dp_ddensity, mixture.dp_de};
+          add_tension(true_density, energy, result);
           return result;
         }
       case Phase::tension:
         break;
       }
     Value result{0., 0., 0.};
-    add_tension(gamma, energy, result);
+    add_tension(true_density, energy, result);
     return result;
   }
 
   void
-  SolidLiquidVapour::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
-                              std::span<double> sound_speed_squared) const
+  SolidLiquidVapour::evaluate(std::span<const double> true_density, std::span<const double> energy,
+                              std::span<double> pressure, std::span<double> sound_speed_squared) const
   {
-    pointwise::evaluate([this](double g, double e) { return value(g, e); }, gamma, energy, pressure,
+    pointwise::evaluate([this](double g, double e) { return value(g, e); }, true_density, energy, pressure,
                         sound_speed_squared);
   }
 
   void
-  SolidLiquidVapour::derivatives(std::span<const double> gamma, std::span<const double> energy,
-                                 std::span<double> dp_dgamma, std::span<double> dp_de) const
+  SolidLiquidVapour::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                                 std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
-    pointwise::derivatives([this](double g, double e) { return value(g, e); }, gamma, energy, dp_dgamma, dp_de);
+    pointwise::derivatives([this](double g, double e) { return value(g, e); }, true_density, energy, dp_ddensity,
+                           dp_de);
   }
 
   double
-  SolidLiquidVapour::energy_of_pressure(double gamma, double pressure) const
+  SolidLiquidVapour::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
+    check_density(true_density);
     double lower = -0.0025, upper = 0.01;
-    while (value(gamma, upper).pressure < pressure && upper < 1e6)
+    while (value(true_density, upper).pressure < pressure && upper < 1e6)
       upper *= 2.;
-    if (!(value(gamma, lower).pressure <= pressure && value(gamma, upper).pressure >= pressure))
+    if (!(value(true_density, lower).pressure <= pressure && value(true_density, upper).pressure >= pressure))
       throw StateError(name() + ": no energy above absolute zero gives the pressure " + std::to_string(pressure) +
-                       " Mbar at density " + std::to_string(gamma) + " g/cm^3");
+                       " Mbar at density " + std::to_string(true_density) + " g/cm^3");
     for (double middle = 0.5 * (lower + upper); lower < middle && middle < upper; middle = 0.5 * (lower + upper))
-      (value(gamma, middle).pressure < pressure ? lower : upper) = middle;
+      (value(true_density, middle).pressure < pressure ? lower : upper) = middle;
     return upper;
   }
 
   SolidLiquidVapour::Thermal
-  SolidLiquidVapour::thermal(double gamma, double energy) const
+  SolidLiquidVapour::thermal(double true_density, double energy) const
   {
-    switch (phase(gamma, energy))
+    switch (phase(true_density, energy))
       {
       case Phase::solid:
-        return {Solid::temperature(gamma, energy), 0., 0.};
+        return {Solid::temperature(true_density, energy), 0., 0.};
       case Phase::fluid:
-        return {Fluid::temperature(gamma, energy), 1., gamma < boiling.dense_density(0.) ? 1. : 0.};
+        return {Fluid::temperature(true_density, energy), 1., true_density < boiling.dense_density(0.) ? 1. : 0.};
       case Phase::melting:
         {
-          const auto mixture = melting_mixture(gamma, energy);
+          const auto mixture = melting_mixture(true_density, energy);
           return {mixture.temperature, mixture.light_fraction, 0.};
         }
       case Phase::boiling:
         {
-          const auto mixture = boiling.mixture(gamma, energy, boiling.first(), boiling.last());
+          const auto mixture = boiling.mixture(true_density, energy, boiling.first(), boiling.last());
           return {mixture.temperature, 1., mixture.light_fraction};
         }
       case Phase::tension:
@@ -205,9 +208,9 @@ namespace whipple
   }
 
   double
-  SolidLiquidVapour::melt_temperature(double gamma) const
+  SolidLiquidVapour::melt_temperature(double true_density) const
   {
-    return gamma > solidus.first() ? solidus(gamma).value : melting.first();
+    return true_density > solidus.first() ? solidus(true_density).value : melting.first();
   }
 
   void

@@ -15,41 +15,42 @@ namespace whipple
   }
 
   void
-  StiffenedGas::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
-                         std::span<double> sound_speed_squared) const
+  StiffenedGas::evaluate(std::span<const double> true_density, std::span<const double> energy,
+                         std::span<double> pressure, std::span<double> sound_speed_squared) const
   {
-    const double      gamma0 = constants.reference_density;
-    const double      c0c0   = constants.sound_speed * constants.sound_speed;
-    const double      k1     = constants.adiabatic_exponent - 1.;
-    const std::size_t n      = gamma.size();
+    const double      reference_density = constants.reference_density;
+    const double      c0c0              = constants.sound_speed * constants.sound_speed;
+    const double      k1                = constants.adiabatic_exponent - 1.;
+    const std::size_t n                 = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        const double p         = c0c0 * (gamma[i] - gamma0) + k1 * gamma[i] * energy[i];
+        const double p         = c0c0 * (true_density[i] - reference_density) + k1 * true_density[i] * energy[i];
         pressure[i]            = p;
-        sound_speed_squared[i] = c0c0 + k1 * (energy[i] + p / gamma[i]);
+        sound_speed_squared[i] = c0c0 + k1 * (energy[i] + p / true_density[i]);
       }
   }
 
   void
-  StiffenedGas::derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
-                            std::span<double> dp_de) const
+  StiffenedGas::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                            std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
     const double      c0c0 = constants.sound_speed * constants.sound_speed;
     const double      k1   = constants.adiabatic_exponent - 1.;
-    const std::size_t n    = gamma.size();
+    const std::size_t n    = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
       {
-        dp_dgamma[i] = c0c0 + k1 * energy[i];
-        dp_de[i]     = k1 * gamma[i];
+        dp_ddensity[i] = c0c0 + k1 * energy[i];
+        dp_de[i]       = k1 * true_density[i];
       }
   }
 
   double
-  StiffenedGas::energy_of_pressure(double gamma, double pressure) const
+  StiffenedGas::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
+    check_density(true_density);
     const double c0c0 = constants.sound_speed * constants.sound_speed;
-    return (pressure - c0c0 * (gamma - constants.reference_density)) / ((constants.adiabatic_exponent - 1.) * gamma);
+    return (pressure - c0c0 * (true_density - constants.reference_density)) /
+           ((constants.adiabatic_exponent - 1.) * true_density);
   }
 
   double

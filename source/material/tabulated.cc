@@ -29,9 +29,9 @@ namespace whipple
     // 1 m/s and 100 km/s: slower than any gas, faster than any solid
     constexpr double   slowest = 1e-4, fastest = 10.;
     BicubicTable::Cell cell;
-    const double       gamma = table_.reference_density;
-    const State        rest  = state(gamma, 0., cell);
-    const double       c2    = rest.dp_dgamma + rest.pressure / (gamma * gamma) * rest.dp_de;
+    const double       true_density = table_.reference_density;
+    const State        rest         = state(true_density, 0., cell);
+    const double       c2           = rest.dp_ddensity + rest.pressure / (true_density * true_density) * rest.dp_de;
     if (!(c2 >= slowest * slowest && c2 <= fastest * fastest))
       {
         std::ostringstream value;
@@ -42,41 +42,42 @@ namespace whipple
   }
 
   inline Tabulated::State
-  Tabulated::state(double gamma, double energy, BicubicTable::Cell &hint) const
+  Tabulated::state(double true_density, double energy, BicubicTable::Cell &hint) const
   {
-    hint.i                             = find_interval(table_.density, gamma, hint.i);
-    const PiecewiseCubic::Point lowest = lowest_energy_.at(gamma, hint.i);
-    const BicubicTable::Point   p      = pressure_.at(gamma, energy - lowest.value, hint);
+    hint.i                             = find_interval(table_.density, true_density, hint.i);
+    const PiecewiseCubic::Point lowest = lowest_energy_.at(true_density, hint.i);
+    const BicubicTable::Point   p      = pressure_.at(true_density, energy - lowest.value, hint);
     return {p.value, p.dx - p.dy * lowest.slope, p.dy};
   }
 
   void
-  Tabulated::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+  Tabulated::evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
                       std::span<double> sound_speed_squared) const
   {
     BicubicTable::Cell cell;
-    pointwise::evaluate([&](double g, double e) { return state(g, e, cell); }, gamma, energy, pressure,
+    pointwise::evaluate([&](double g, double e) { return state(g, e, cell); }, true_density, energy, pressure,
                         sound_speed_squared);
   }
 
   void
-  Tabulated::derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
-                         std::span<double> dp_de) const
+  Tabulated::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                         std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
     BicubicTable::Cell cell;
-    pointwise::derivatives([&](double g, double e) { return state(g, e, cell); }, gamma, energy, dp_dgamma, dp_de);
+    pointwise::derivatives([&](double g, double e) { return state(g, e, cell); }, true_density, energy, dp_ddensity,
+                           dp_de);
   }
 
   double
-  Tabulated::energy_of_pressure(double gamma, double pressure) const
+  Tabulated::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
-    const double lowest = lowest_energy_.at(gamma).value;
-    if (const auto heat = pressure_.find_y(gamma, pressure, -lowest))
+    check_density(true_density);
+    const double lowest = lowest_energy_.at(true_density).value;
+    if (const auto heat = pressure_.find_y(true_density, pressure, -lowest))
       return lowest + *heat;
     std::ostringstream message;
-    message << name() << " (" << table_.path << "): at density " << gamma << " g/cm^3 no energy gives a pressure of "
-            << pressure << " Mbar";
+    message << name() << " (" << table_.path << "): at density " << true_density
+            << " g/cm^3 no energy gives a pressure of " << pressure << " Mbar";
     throw StateError(message.str());
   }
 
@@ -87,11 +88,11 @@ namespace whipple
   }
 
   double
-  Tabulated::bilinear(const std::vector<double> &values, double gamma, double heat) const
+  Tabulated::bilinear(const std::vector<double> &values, double true_density, double heat) const
   {
     const std::vector<double> &x = table_.density, &y = table_.heat;
-    const std::size_t          i = find_interval(x, gamma, 0), j = find_interval(y, heat, 0), m = y.size();
-    const double               s = std::clamp((gamma - x[i]) / (x[i + 1] - x[i]), 0., 1.);
+    const std::size_t          i = find_interval(x, true_density, 0), j = find_interval(y, heat, 0), m = y.size();
+    const double               s = std::clamp((true_density - x[i]) / (x[i + 1] - x[i]), 0., 1.);
     const double               t = std::clamp((heat - y[j]) / (y[j + 1] - y[j]), 0., 1.);
     return (1. - s) * ((1. - t) * values[i * m + j] + t * values[i * m + j + 1]) +
            s * ((1. - t) * values[(i + 1) * m + j] + t * values[(i + 1) * m + j + 1]);
@@ -128,8 +129,8 @@ namespace whipple
   Tabulated::specific_heat() const
   {
     BicubicTable::Cell cell;
-    const double       gamma = table_.reference_density, heat = -lowest_energy_.at(gamma).value;
-    return 1. / temperature_->at(gamma, std::max(heat, 0.), cell).dy;
+    const double       true_density = table_.reference_density, heat = -lowest_energy_.at(true_density).value;
+    return 1. / temperature_->at(true_density, std::max(heat, 0.), cell).dy;
   }
 
   ThermalModel::Transitions
@@ -162,12 +163,13 @@ namespace whipple
     constexpr int steps = 4096;
     for (int k = 0; k <= steps; ++k)
       {
-        const double energy = table_.heat.back() * k / steps, gamma = unstressed(energy);
-        const double heat = energy - lowest_energy_.at(gamma).value;
+        const double energy = table_.heat.back() * k / steps, true_density = unstressed(energy);
+        const double heat = energy - lowest_energy_.at(true_density).value;
         if (!table_.melt_fraction.empty())
-          note(bilinear(table_.melt_fraction, gamma, heat), energy, result.melt_onset, result.melt_complete);
+          note(bilinear(table_.melt_fraction, true_density, heat), energy, result.melt_onset, result.melt_complete);
         if (!table_.vapour_fraction.empty())
-          note(bilinear(table_.vapour_fraction, gamma, heat), energy, result.vapour_onset, result.vapour_complete);
+          note(bilinear(table_.vapour_fraction, true_density, heat), energy, result.vapour_onset,
+               result.vapour_complete);
       }
     return result;
   }
@@ -181,18 +183,19 @@ namespace whipple
     for (std::size_t i = 0; i + 1 < table_.density.size(); ++i)
       for (std::size_t j = 0; j + 1 < table_.heat.size(); ++j)
         {
-          const double gamma  = 0.5 * (table_.density[i] + table_.density[i + 1]);
-          const double heat   = 0.5 * (table_.heat[j] + table_.heat[j + 1]);
-          const auto   lowest = lowest_energy_.at(gamma);
-          const State  p      = state(gamma, lowest.value + heat, cell);
-          const auto   t      = temperature_->at(gamma, heat, cell);
+          const double true_density = 0.5 * (table_.density[i] + table_.density[i + 1]);
+          const double heat         = 0.5 * (table_.heat[j] + table_.heat[j + 1]);
+          const auto   lowest       = lowest_energy_.at(true_density);
+          const State  p            = state(true_density, lowest.value + heat, cell);
+          const auto   t            = temperature_->at(true_density, heat, cell);
           if (!(p.pressure > 0.))
             continue;
-          const double a = gamma * gamma * (t.dx - t.dy * lowest.slope), b = p.pressure * t.dy, c = t.value * p.dp_de;
+          const double a = true_density * true_density * (t.dx - t.dy * lowest.slope), b = p.pressure * t.dy,
+                       c         = t.value * p.dp_de;
           const double violation = std::abs(a + b - c) / (std::abs(a) + std::abs(b) + std::abs(c));
           all.push_back(violation);
           if (violation > result.largest)
-            result = {violation, gamma, lowest.value + heat, 0.};
+            result = {violation, true_density, lowest.value + heat, 0.};
         }
     if (!all.empty())
       {

@@ -27,10 +27,10 @@ namespace whipple
   }
 
   inline Tillotson::Value
-  Tillotson::condensed(double gamma, double energy) const
+  Tillotson::condensed(double true_density, double energy) const
   {
     const Constants &k     = constants;
-    const double     eta   = gamma / k.reference_density;
+    const double     eta   = true_density / k.reference_density;
     const double     mu    = eta - 1.;
     const double     x     = k.reference_energy * eta * eta;
     const double     heat  = std::abs(energy);
@@ -43,79 +43,80 @@ namespace whipple
     const double cold_slope  = k.bulk_modulus * softening * softening + 2. * k.quadratic_modulus * compression;
     // d(1/w)/dgamma = (2/gamma) (1/w) (1 - 1/w), d(e/w)/de = 1/w^2
     const double thermal = k.hot_grueneisen + k.cold_grueneisen * one_w;
-    return {thermal * gamma * energy + cold,
+    return {thermal * true_density * energy + cold,
             (thermal + 2. * k.cold_grueneisen * one_w * (1. - one_w)) * energy + cold_slope / k.reference_density,
-            gamma * (k.hot_grueneisen + k.cold_grueneisen * one_w * one_w)};
+            true_density * (k.hot_grueneisen + k.cold_grueneisen * one_w * one_w)};
   }
 
   Tillotson::Value
-  Tillotson::expanded(double gamma, double energy) const
+  Tillotson::expanded(double true_density, double energy) const
   {
     const Constants &k     = constants;
-    const double     eta   = gamma / k.reference_density;
+    const double     eta   = true_density / k.reference_density;
     const double     z     = 1. / eta - 1.;
-    const double     dz    = -1. / (eta * gamma);
+    const double     dz    = -1. / (eta * true_density);
     const double     x     = k.reference_energy * eta * eta;
     const double     one_w = x / (x + energy);
-    const Value      p1    = condensed(gamma, energy);
+    const Value      p1    = condensed(true_density, energy);
 
     const double fade          = std::exp(-k.thermal_decay * z * z);
     const double fade_slope    = -2. * k.thermal_decay * z * dz;
     const double cohesion      = k.bulk_modulus * std::exp(-k.cohesive_decay * z);
-    const double bracket       = k.cold_grueneisen * gamma * energy * one_w + cohesion * (eta - 1.);
+    const double bracket       = k.cold_grueneisen * true_density * energy * one_w + cohesion * (eta - 1.);
     const double bracket_slope = k.cold_grueneisen * energy * one_w * (3. - 2. * one_w) +
                                  cohesion * (1. / k.reference_density - (eta - 1.) * k.cohesive_decay * dz);
-    const Value p2{k.hot_grueneisen * gamma * energy + bracket * fade,
+    const Value p2{k.hot_grueneisen * true_density * energy + bracket * fade,
                    k.hot_grueneisen * energy + (bracket_slope + bracket * fade_slope) * fade,
-                   gamma * (k.hot_grueneisen + k.cold_grueneisen * one_w * one_w * fade)};
+                   true_density * (k.hot_grueneisen + k.cold_grueneisen * one_w * one_w * fade)};
 
     const double width = k.complete_vaporisation_energy - k.incipient_vaporisation_energy;
     const double t     = std::clamp((energy - k.incipient_vaporisation_energy) / width, 0., 1.);
     const double s     = t * t * (3. - 2. * t);
     const double ds_de = 6. * t * (1. - t) / width;
-    return {p1.pressure + s * (p2.pressure - p1.pressure), p1.dp_dgamma + s * (p2.dp_dgamma - p1.dp_dgamma),
+    return {p1.pressure + s * (p2.pressure - p1.pressure), p1.dp_ddensity + s * (p2.dp_ddensity - p1.dp_ddensity),
             p1.dp_de + s * (p2.dp_de - p1.dp_de) + ds_de * (p2.pressure - p1.pressure)};
   }
 
   void
-  Tillotson::evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+  Tillotson::evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
                       std::span<double> sound_speed_squared) const
   {
     const auto store = [&](std::size_t i, const Value &value) {
       pressure[i]            = value.pressure;
-      sound_speed_squared[i] = value.dp_dgamma + value.pressure / (gamma[i] * gamma[i]) * value.dp_de;
+      sound_speed_squared[i] = value.dp_ddensity + value.pressure / (true_density[i] * true_density[i]) * value.dp_de;
     };
     // The exponentials of the few cells with vapour stay out of the loop that vectorises.
-    const std::size_t n = gamma.size();
+    const std::size_t n = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
-      store(i, condensed(gamma[i], energy[i]));
+      store(i, condensed(true_density[i], energy[i]));
     for (std::size_t i = 0; i < n; ++i)
-      if (has_vapour(gamma[i], energy[i]))
-        store(i, expanded(gamma[i], energy[i]));
+      if (has_vapour(true_density[i], energy[i]))
+        store(i, expanded(true_density[i], energy[i]));
   }
 
   void
-  Tillotson::derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
-                         std::span<double> dp_de) const
+  Tillotson::derivatives(std::span<const double> true_density, std::span<const double> energy,
+                         std::span<double> dp_ddensity, std::span<double> dp_de) const
   {
     const auto store = [&](std::size_t i, const Value &value) {
-      dp_dgamma[i] = value.dp_dgamma;
-      dp_de[i]     = value.dp_de;
+      dp_ddensity[i] = value.dp_ddensity;
+      dp_de[i]       = value.dp_de;
     };
-    const std::size_t n = gamma.size();
+    const std::size_t n = true_density.size();
     for (std::size_t i = 0; i < n; ++i)
-      store(i, condensed(gamma[i], energy[i]));
+      store(i, condensed(true_density[i], energy[i]));
     for (std::size_t i = 0; i < n; ++i)
-      if (has_vapour(gamma[i], energy[i]))
-        store(i, expanded(gamma[i], energy[i]));
+      if (has_vapour(true_density[i], energy[i]))
+        store(i, expanded(true_density[i], energy[i]));
   }
 
   double
-  Tillotson::energy_of_pressure(double gamma, double pressure) const
+  Tillotson::energy_of_pressure(double true_density, double pressure) const
   {
-    check_density(gamma);
+    check_density(true_density);
     const auto residual = [&](double energy) {
-      const Value value = has_vapour(gamma, energy) ? expanded(gamma, energy) : condensed(gamma, energy);
+      const Value value =
+          has_vapour(true_density, energy) ? expanded(true_density, energy) : condensed(true_density, energy);
       return value.pressure - pressure;
     };
     // P ~ a gamma e far out on both sides.
@@ -126,7 +127,7 @@ namespace whipple
       upper *= 2.;
     if (!std::isfinite(residual(lower) + residual(upper)))
       throw StateError(name() + ": no energy gives the pressure " + std::to_string(pressure) + " Mbar at density " +
-                       std::to_string(gamma) + " g/cm^3");
+                       std::to_string(true_density) + " g/cm^3");
     while (true)
       {
         const double middle = 0.5 * (lower + upper);
@@ -156,11 +157,11 @@ namespace whipple
 
     /// A row of the usual tables, in their order and units (CGS).
     PublishedConstants
-    row(const char *material, double gamma0, double a, double b, double A, double B, double E0, double alpha,
+    row(const char *material, double density, double a, double b, double A, double B, double E0, double alpha,
         double beta, double E_iv, double E_cv, const char *source, const char *caution)
     {
       return {material,
-              {{"Density", gamma0},
+              {{"Density", density},
                {"Tillotson hot Grueneisen coefficient", a},
                {"Tillotson cold Grueneisen coefficient", b},
                {"Tillotson bulk modulus", A * dyn_per_cm2},

@@ -30,24 +30,24 @@ namespace whipple
     {
       std::size_t                            count = 0;
       std::array<std::size_t, block_length>  cell;
-      Block                                  rho, energy, phi_old, gamma_old;
-      Block                                  gamma, lower, upper; // the iterate and its bracket
+      Block                                  rho, energy, phi_old, true_density_old;
+      Block                                  true_density, lower, upper; // the iterate and its bracket
       Block                                  pressure;
       std::array<std::int64_t, block_length> done; // 1: gamma is final; as wide as a double, for vector code
 
       void
       move(std::size_t from, std::size_t to)
       {
-        cell[to]      = cell[from];
-        rho[to]       = rho[from];
-        energy[to]    = energy[from];
-        phi_old[to]   = phi_old[from];
-        gamma_old[to] = gamma_old[from];
-        gamma[to]     = gamma[from];
-        lower[to]     = lower[from];
-        upper[to]     = upper[from];
-        pressure[to]  = pressure[from];
-        done[to]      = done[from];
+        cell[to]             = cell[from];
+        rho[to]              = rho[from];
+        energy[to]           = energy[from];
+        phi_old[to]          = phi_old[from];
+        true_density_old[to] = true_density_old[from];
+        true_density[to]     = true_density[from];
+        lower[to]            = lower[from];
+        upper[to]            = upper[from];
+        pressure[to]         = pressure[from];
+        done[to]             = done[from];
       }
 
       /// Drop the cells for which keep(k) is false; the others keep their order.
@@ -88,17 +88,17 @@ namespace whipple
     gather(const EquationOfState &eos, const Threshold &threshold, std::span<const double> rho,
            std::span<const double> energy, std::span<const double> phi, OpenCells &open)
     {
-      const std::size_t n      = rho.size();
-      const double      gamma0 = eos.reference_density();
-      const double      limit  = largest_density(eos);
+      const std::size_t n                 = rho.size();
+      const double      reference_density = eos.reference_density();
+      const double      limit             = largest_density(eos);
 
-      Block gamma, pressure, sound_speed_squared;
+      Block true_density, pressure, sound_speed_squared;
       for (std::size_t i = 0; i < n; ++i)
         {
-          const double g = rho[i] / (1. - phi[i]);
-          gamma[i]       = rho[i] > 0. ? std::min(g, limit) : gamma0;
+          const double g  = rho[i] / (1. - phi[i]);
+          true_density[i] = rho[i] > 0. ? std::min(g, limit) : reference_density;
         }
-      eos.evaluate(first(gamma, n), energy, first(pressure, n), first(sound_speed_squared, n));
+      eos.evaluate(first(true_density, n), energy, first(pressure, n), first(sound_speed_squared, n));
 
       long may_change = 0;
       for (std::size_t i = 0; i < n; ++i)
@@ -110,14 +110,14 @@ namespace whipple
       for (std::size_t i = 0; i < n; ++i)
         if (rho[i] > 0. && (phi[i] > 0. || pressure[i] < threshold(i)))
           {
-            const std::size_t k = open.count++;
-            open.cell[k]        = i;
-            open.rho[k]         = rho[i];
-            open.energy[k]      = energy[i];
-            open.phi_old[k]     = phi[i];
-            open.gamma_old[k]   = rho[i] / (1. - phi[i]);
-            open.gamma[k]       = gamma[i];
-            open.pressure[k]    = pressure[i];
+            const std::size_t k      = open.count++;
+            open.cell[k]             = i;
+            open.rho[k]              = rho[i];
+            open.energy[k]           = energy[i];
+            open.phi_old[k]          = phi[i];
+            open.true_density_old[k] = rho[i] / (1. - phi[i]);
+            open.true_density[k]     = true_density[i];
+            open.pressure[k]         = pressure[i];
           }
     }
 
@@ -140,10 +140,10 @@ namespace whipple
                 return false;
               }
             open.lower[k] = open.rho[k];
-            open.upper[k] = open.gamma[k];
+            open.upper[k] = open.true_density[k];
             return true;
           }
-        open.lower[k] = open.gamma[k];
+        open.lower[k] = open.true_density[k];
         open.upper[k] = std::min(limit, open.rho[k] / (1. - largest_void_fraction));
         return open.pressure[k] < 0. && open.lower[k] < open.upper[k];
       });
@@ -153,30 +153,31 @@ namespace whipple
     /// vectorises, and cells that are done keep their gamma.
     /// @returns how many are done.
     std::size_t
-    newton_step(double resistance, const Block &dp_dgamma, OpenCells &open)
+    newton_step(double resistance, const Block &dp_ddensity, OpenCells &open)
     {
       constexpr double rounding  = 2. * std::numeric_limits<double>::epsilon();
       constexpr double quadratic = 1e-9; // after a Newton step this small, what is left is below rounding
       std::int64_t     n_done    = 0;
       for (std::size_t k = 0; k < open.count; ++k)
         {
-          const double gamma = open.gamma[k];
+          const double true_density = open.true_density[k];
           const double residual =
-              resistance * (gamma - open.gamma_old[k]) / (gamma * open.gamma_old[k]) + open.pressure[k];
-          const double slope  = resistance / (gamma * gamma) + dp_dgamma[k];
-          const double newton = gamma - residual / slope;
-          const double change = std::abs(newton - gamma);
-          const double lower  = residual < 0. ? gamma : open.lower[k];
-          const double upper  = residual < 0. ? open.upper[k] : gamma;
+              resistance * (true_density - open.true_density_old[k]) / (true_density * open.true_density_old[k]) +
+              open.pressure[k];
+          const double slope  = resistance / (true_density * true_density) + dp_ddensity[k];
+          const double newton = true_density - residual / slope;
+          const double change = std::abs(newton - true_density);
+          const double lower  = residual < 0. ? true_density : open.lower[k];
+          const double upper  = residual < 0. ? open.upper[k] : true_density;
           const bool   inside = (newton > lower) & (newton < upper);
           const double next   = inside ? newton : 0.5 * (lower + upper);
           // Distance still to go, against what may be left of it.
           const double distance = inside ? change : upper - lower;
-          const double enough   = inside ? quadratic * gamma : rounding * upper;
-          const bool   settled  = (open.done[k] != 0) | (change <= rounding * gamma);
+          const double enough   = inside ? quadratic * true_density : rounding * upper;
+          const bool   settled  = (open.done[k] != 0) | (change <= rounding * true_density);
           open.lower[k]         = lower;
           open.upper[k]         = upper;
-          open.gamma[k]         = settled ? gamma : next;
+          open.true_density[k]  = settled ? true_density : next;
           open.done[k]          = settled | (distance <= enough) ? 1 : 0;
           n_done += open.done[k];
         }
@@ -191,9 +192,9 @@ namespace whipple
       for (std::size_t k = 0; k < open.count; ++k)
         {
           // As an increment: exact where phi hardly moves, and its sign is that of -P_s.
-          const double change =
-              open.rho[k] * ((open.gamma[k] - open.gamma_old[k]) / (open.gamma[k] * open.gamma_old[k]));
-          result[k] = std::clamp(open.phi_old[k] + change, 0., largest_void_fraction);
+          const double change = open.rho[k] * ((open.true_density[k] - open.true_density_old[k]) /
+                                               (open.true_density[k] * open.true_density_old[k]));
+          result[k]           = std::clamp(open.phi_old[k] + change, 0., largest_void_fraction);
         }
       open.filter([&](std::size_t k) {
         if (open.done[k] != 0)
@@ -205,16 +206,16 @@ namespace whipple
     void
     solve(const EquationOfState &eos, double resistance, std::span<double> phi, OpenCells &open)
     {
-      Block dp_dgamma, dp_de, sound_speed_squared;
+      Block dp_ddensity, dp_de, sound_speed_squared;
       for (int iteration = 0; iteration < max_iterations && open.count > 0; ++iteration)
         {
           const std::size_t n = open.count;
-          eos.derivatives(first(open.gamma, n), first(open.energy, n), first(dp_dgamma, n), first(dp_de, n));
+          eos.derivatives(first(open.true_density, n), first(open.energy, n), first(dp_ddensity, n), first(dp_de, n));
           if (iteration > 0)
-            eos.evaluate(first(open.gamma, n), first(open.energy, n), first(open.pressure, n),
+            eos.evaluate(first(open.true_density, n), first(open.energy, n), first(open.pressure, n),
                          first(sound_speed_squared, n));
           // Packing costs more than to carry a few finished cells along.
-          if (2 * newton_step(resistance, dp_dgamma, open) >= n)
+          if (2 * newton_step(resistance, dp_ddensity, open) >= n)
             retire(phi, open);
         }
       // Only a state that is not a number gets here unfinished; it keeps the phi it had.
@@ -225,8 +226,8 @@ namespace whipple
   relax_void_fraction(const EquationOfState &eos, double alpha_dt, double spall_strength, const VoidInput &state,
                       std::span<double> void_fraction)
   {
-    const double gamma0     = eos.reference_density();
-    const double resistance = gamma0 * gamma0 / alpha_dt;
+    const double reference_density = eos.reference_density();
+    const double resistance        = reference_density * reference_density / alpha_dt;
     if (!std::isfinite(resistance)) // alpha dt = 0: voids stay as they are
       return;
 

@@ -8,9 +8,9 @@ namespace whipple
     double
     pressure(const EquationOfState &eos, double v, double energy)
     {
-      const double gamma = eos.reference_density() / v;
+      const double true_density = eos.reference_density() / v;
       double       p, square;
-      eos.evaluate({&gamma, 1}, {&energy, 1}, {&p, 1}, {&square, 1});
+      eos.evaluate({&true_density, 1}, {&energy, 1}, {&p, 1}, {&square, 1});
       return p;
     }
   } // namespace

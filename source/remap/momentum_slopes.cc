@@ -11,9 +11,9 @@ namespace whipple
   namespace
   {
     /// What the kinetic energy of slopes may take in one sweep of the heat around a receiver ...
-    constexpr double payable_share = 0.1;
+    constexpr double spare_share = 0.1;
     /// ... and of c^2 where that is cold: solids may lack a little heat, gases may not.
-    constexpr double payable_stiffness = 0.01;
+    constexpr double spare_stiffness = 0.01;
   } // namespace
 
   template <int dim>
@@ -147,25 +147,25 @@ namespace whipple
 
   template <int dim>
   double
-  MomentumTransport<dim>::payable_energy(const double energy, const double cold_stiffness)
+  MomentumTransport<dim>::heat_to_spare(const double energy, const double cold_stiffness)
   {
-    return payable_share * std::max(energy, 0.) + payable_stiffness * cold_stiffness;
+    return spare_share * std::max(energy, 0.) + spare_stiffness * cold_stiffness;
   }
 
   template <int dim>
   double
-  MomentumTransport<dim>::least_payable(const RemapParameters &parameters)
+  MomentumTransport<dim>::least_heat_to_spare(const RemapParameters &parameters)
   {
     double least = std::numeric_limits<double>::infinity();
     for (const double stiffness : parameters.cold_stiffness)
-      least = std::min(least, payable_energy(0., stiffness));
+      least = std::min(least, heat_to_spare(0., stiffness));
     return parameters.cold_stiffness.empty() ? 0. : least;
   }
 
   template <int dim>
   double
-  MomentumTransport<dim>::payable(const State<dim> &state, const std::vector<double> &mass_after,
-                                  const Index receiver) const
+  MomentumTransport<dim>::largest_excess(const State<dim> &state, const std::vector<double> &mass_after,
+                                         const Index receiver) const
   {
     const NodeBalance &b      = dual_.balance[receiver];
     const double       inflow = b.mass - state.node_mass[receiver] + b.up + b.down + b.aside;
@@ -177,9 +177,9 @@ namespace whipple
         if (const Index c = mesh_->node_corner[i] / FlatMesh<dim>::corners; mass_after[c] > 0)
           for (std::size_t m = 0; m < state.material.size(); ++m)
             if (state.material[m].mass[c] > 0)
-              room = std::min(room, payable_energy(state.material[m].energy[c], m < parameters_.cold_stiffness.size()
-                                                                                    ? parameters_.cold_stiffness[m]
-                                                                                    : 0.));
+              room = std::min(room, heat_to_spare(state.material[m].energy[c], m < parameters_.cold_stiffness.size()
+                                                                                   ? parameters_.cold_stiffness[m]
+                                                                                   : 0.));
     };
     look_around(receiver);
     for (const Index h : nodes_.hanging_of(receiver))
@@ -189,16 +189,16 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::flatten_to_what_can_be_paid(const State<dim> &state, const int axis,
-                                                      const std::vector<double> &mass_after, const Index node)
+  MomentumTransport<dim>::flatten_to_heat_to_spare(const State<dim> &state, const int axis,
+                                                   const std::vector<double> &mass_after, const Index node)
   {
     double     room = std::numeric_limits<double>::infinity();
     const auto ask  = [&](const Index receiver) {
       if (nodes_.kind[receiver] != NodeKind::hanging)
-        room = std::min(room, payable(state, mass_after, receiver));
+        room = std::min(room, largest_excess(state, mass_after, receiver));
       else
         for (const Index master : mesh_->master[nodes_.hanging_place[receiver]])
-          room = std::min(room, payable(state, mass_after, master));
+          room = std::min(room, largest_excess(state, mass_after, master));
     };
     const auto ask_around = [&](const Index at) {
       for (Index i = mesh_->node_corner_begin[at]; i < mesh_->node_corner_begin[at + 1]; ++i)
@@ -241,11 +241,11 @@ namespace whipple
   template void
   MomentumTransport<2>::reconstruct_uneven(const State<2> &, int, Index);
   template double
-  MomentumTransport<2>::payable_energy(double, double);
+  MomentumTransport<2>::heat_to_spare(double, double);
   template double
-  MomentumTransport<2>::least_payable(const RemapParameters &);
+  MomentumTransport<2>::least_heat_to_spare(const RemapParameters &);
   template double
-  MomentumTransport<2>::payable(const State<2> &, const std::vector<double> &, Index) const;
+  MomentumTransport<2>::largest_excess(const State<2> &, const std::vector<double> &, Index) const;
   template void
-  MomentumTransport<2>::flatten_to_what_can_be_paid(const State<2> &, int, const std::vector<double> &, Index);
+  MomentumTransport<2>::flatten_to_heat_to_spare(const State<2> &, int, const std::vector<double> &, Index);
 } // namespace whipple

@@ -13,7 +13,7 @@ namespace whipple
     : mesh_(&mesh)
     , boundaries_(boundaries)
     , parameters_(parameters)
-    , least_payable_(least_payable(parameters))
+    , least_heat_to_spare_(least_heat_to_spare(parameters))
     , nodes_(mesh)
     , dual_(mesh, nodes_)
     , excess_(mesh.n_nodes, 0.)
@@ -52,8 +52,8 @@ namespace whipple
         else if (parameters_.second_order && b.up + b.down > 0)
           {
             nodes_.uneven[n] ? reconstruct_uneven(state, axis, n) : reconstruct(state, axis, n);
-            if (excess_[n] > least_payable_)
-              flatten_to_what_can_be_paid(state, axis, mass_after, n);
+            if (excess_[n] > least_heat_to_spare_)
+              flatten_to_heat_to_spare(state, axis, mass_after, n);
           }
       }
   }

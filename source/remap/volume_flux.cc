@@ -219,7 +219,7 @@ namespace whipple
           const double given = outflow(topology, c, flux[m]), left = held - given;
           if (!(given > 0))
             continue;
-          if (left >= parameters_.flotsam_fraction * state.volume[c])
+          if (left >= parameters_.remnant_fraction * state.volume[c])
             {
               drop_outflow(topology, c, least_share * state.volume[c], flux[m]);
               continue;
@@ -243,15 +243,15 @@ namespace whipple
           emptied[m].push_back(c);
           if (c < mesh_->n_owned && left > 0)
             {
-              report.flotsam_mass += left * state.material[m].density[c];
-              ++report.flotsam_cells;
+              report.remnant_mass += left * state.material[m].density[c];
+              ++report.remnant_cells;
             }
         }
   }
 
   template <int dim>
   void
-  VolumeFlux<dim>::guard_ends(const SweepTopology<dim> &topology) const
+  VolumeFlux<dim>::check_ends(const SweepTopology<dim> &topology) const
   {
     for (const Index f : topology.end_faces)
       {
@@ -305,7 +305,7 @@ namespace whipple
                            describe(*mesh_, donor) + " exceeds what lies behind the face; step too long");
       }
     cut_donor_boxes(state, topology, swept);
-    guard_ends(topology);
+    check_ends(topology);
     limit_donors(state, topology, report);
   }
 

@@ -103,13 +103,13 @@ namespace whipple
     /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
     template <int dim>
     std::vector<std::uint8_t>
-    guard_flags(const FlatPartition<dim> &view)
+    edge_flags(const FlatPartition<dim> &view)
     {
-      std::vector<double> guard(view.mesh.n_cells, 0.);
-      for (const Index c : Regridding<dim>::guard_cells(view.mesh))
-        guard[c] = 1.;
-      view.halo.exchange(std::vector<std::vector<double> *>{&guard}, {});
-      return {guard.begin(), guard.end()};
+      std::vector<double> edge(view.mesh.n_cells, 0.);
+      for (const Index c : Regridding<dim>::edge_cells(view.mesh))
+        edge[c] = 1.;
+      view.halo.exchange(std::vector<std::vector<double> *>{&edge}, {});
+      return {edge.begin(), edge.end()};
     }
 
     template <int dim>
@@ -246,9 +246,9 @@ namespace whipple
         paint(stage, domain, ledger);
         try
           {
-            const std::vector<std::uint8_t> guard = guard_flags(*domain.view);
+            const std::vector<std::uint8_t> edge = edge_flags(*domain.view);
             report = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation,
-                                 domain.view->mesh, domain.view->halo, LayDownLimits{guard, sliver}, scene_.boundaries,
+                                 domain.view->mesh, domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
                                  stage.lost_kinetic_energy, domain.state);
             break;
           }

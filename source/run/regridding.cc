@@ -131,25 +131,25 @@ namespace whipple
 
   template <int dim>
   std::vector<Index>
-  Regridding<dim>::guard_cells(const FlatMesh<dim> &mesh)
+  Regridding<dim>::edge_cells(const FlatMesh<dim> &mesh)
   {
-    std::vector<std::uint8_t> guard(mesh.n_cells, 0);
+    std::vector<std::uint8_t> edge(mesh.n_cells, 0);
     for (const FlatFaces<dim> &faces : mesh.faces)
       for (Index f = 0; f < faces.size(); ++f)
         for (int s = 0; s < 2; ++s)
           if (faces.cell[s][f] == none && faces.side[f] == -1)
-            guard[faces.cell[1 - s][f]] = 1;
+            edge[faces.cell[1 - s][f]] = 1;
     for (const FlatFaces<dim> &faces : mesh.faces)
       for (Index f = 0; f < faces.size(); ++f)
         for (int s = 0; s < 2; ++s)
           {
             const Index a = faces.cell[s][f], b = faces.cell[1 - s][f];
-            if (a != none && b != none && guard[a] == 1 && guard[b] == 0)
-              guard[b] = 2;
+            if (a != none && b != none && edge[a] == 1 && edge[b] == 0)
+              edge[b] = 2;
           }
     std::vector<Index> cells;
     for (Index c = 0; c < mesh.n_owned; ++c)
-      if (guard[c])
+      if (edge[c])
         cells.push_back(c);
     return cells;
   }

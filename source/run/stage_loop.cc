@@ -64,7 +64,7 @@ namespace whipple
     const Domain<dim>   &domain = run_.domain;
     const FlatMesh<dim> &mesh   = domain.view->mesh;
     cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    guard_                      = Regridding<dim>::guard_cells(mesh);
+    edge_cells_                 = Regridding<dim>::edge_cells(mesh);
     cells_                      = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
     find_locked();
   }
@@ -101,11 +101,11 @@ namespace whipple
 
   template <int dim>
   bool
-  StageLoop<dim>::guard_touched() const
+  StageLoop<dim>::edge_touched() const
   {
     int touched = 0;
     for (const MaterialState &m : run_.domain.state.material)
-      for (const Index c : guard_)
+      for (const Index c : edge_cells_)
         touched = touched || m.mass[c] > 0;
     MPI_Allreduce(MPI_IN_PLACE, &touched, 1, MPI_INT, MPI_MAX, run_.domain.communicator());
     return touched;
@@ -124,7 +124,7 @@ namespace whipple
     // counts
     if (progress.spare_after_regrid < 0)
       progress.spare_after_regrid = fit.spare;
-    return !fit.serves || fit.spare > progress.spare_after_regrid + worthwhile_spare;
+    return !fit.suffices || fit.spare > progress.spare_after_regrid + worthwhile_spare;
   }
 
   template <int dim>
@@ -228,7 +228,7 @@ namespace whipple
     step(left);
     if (stage_.mode == StageMode::eulerian)
       {
-        if (regrid_is_due() || guard_touched())
+        if (regrid_is_due() || edge_touched())
           regrid();
       }
     else if (!meet())

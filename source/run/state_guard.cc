@@ -81,12 +81,12 @@ namespace whipple
       {
         if (!(m.mass[c] > model.trace_density * domain.state.volume[c]))
           continue;
-        const double gamma   = m.has_voids() ? m.density[c] / (1. - m.void_fraction[c]) : m.density[c];
-        const double lacking = m.mass[c] * (curve_[material].energy(gamma) - m.energy[c]);
-        if (!(gamma <= short_of_pole * pole) || !std::isfinite(lacking))
+        const double true_density = m.has_voids() ? m.density[c] / (1. - m.void_fraction[c]) : m.density[c];
+        const double lacking      = m.mass[c] * (curve_[material].energy(true_density) - m.energy[c]);
+        if (!(true_density <= short_of_pole * pole) || !std::isfinite(lacking))
           {
             std::ostringstream text;
-            text << layout_.material_names[material] << " has true density " << gamma << " g/cm^3 and energy "
+            text << layout_.material_names[material] << " has true density " << true_density << " g/cm^3 and energy "
                  << m.energy[c] << " Mbar cm^3/g " << place(domain, c) << "; its law '" << model.eos->name()
                  << "' ends at " << pole << " g/cm^3";
             throw StateError(text.str());

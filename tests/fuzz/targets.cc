@@ -49,16 +49,16 @@ namespace whipple::fuzz
       for (const double compression : {1e-12, 1e-3, 0.5, 0.999, 1., 1.001, 1.5, 4., 100.})
         for (const double energy : {-1., -1e-3, 0., 1e-6, 1e-2, 1., 100.})
           {
-            const double gamma = compression * law.reference_density();
-            double       p, c2, dp_dgamma, dp_de, temperature = 0;
-            law.evaluate({&gamma, 1}, {&energy, 1}, {&p, 1}, {&c2, 1});
-            law.derivatives({&gamma, 1}, {&energy, 1}, {&dp_dgamma, 1}, {&dp_de, 1});
+            const double true_density = compression * law.reference_density();
+            double       p, c2, dp_ddensity, dp_de, temperature = 0;
+            law.evaluate({&true_density, 1}, {&energy, 1}, {&p, 1}, {&c2, 1});
+            law.derivatives({&true_density, 1}, {&energy, 1}, {&dp_ddensity, 1}, {&dp_de, 1});
             if (law.has_temperature())
-              law.evaluate({&gamma, 1}, {&energy, 1}, ThermalOutput{{&temperature, 1}, {}, {}, {}});
-            for (const double value : {p, c2, dp_dgamma, dp_de, temperature})
+              law.evaluate({&true_density, 1}, {&energy, 1}, ThermalOutput{{&temperature, 1}, {}, {}, {}});
+            for (const double value : {p, c2, dp_ddensity, dp_de, temperature})
               if (!std::isfinite(value))
-                throw std::logic_error("the law is not finite at density " + std::to_string(gamma) + ", energy " +
-                                       std::to_string(energy));
+                throw std::logic_error("the law is not finite at density " + std::to_string(true_density) +
+                                       ", energy " + std::to_string(energy));
           }
       if (law.has_temperature() && !(law.specific_heat() > 0.))
         throw std::logic_error("the specific heat is not positive");

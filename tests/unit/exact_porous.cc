@@ -96,10 +96,10 @@ namespace
     // P = P_H [1 - G g0 (1/g0 - 1/gamma)/2] / [1 - G g0 (1/rho00 - 1/gamma)/2], P_H of the solid at the same gamma.
     for (const double u : {0.1, 0.3, 0.6})
       {
-        const WaveFront front = loading({0.3, 0., 0.02}).fronts(u).back();
-        const double    gamma = front.behind.density, chi = 1. - 2.785 / gamma;
+        const WaveFront front        = loading({0.3, 0., 0.02}).fronts(u).back();
+        const double    true_density = front.behind.density, chi = 1. - 2.785 / true_density;
         const double    solid    = 2.785 * 0.5328 * 0.5328 * chi / std::pow(1. - 1.338 * chi, 2);
-        const double    expected = solid * (1. - chi) / (1. - 2.785 * (1. / bulk - 1. / gamma)); // G = 2
+        const double    expected = solid * (1. - chi) / (1. - 2.785 * (1. / bulk - 1. / true_density)); // G = 2
         figure::expect_relative("pressure of compacted aluminium, 30 % porous, piston at " + std::to_string(u) +
                                     " cm/us",
                                 front.behind.pressure, expected, 1e-11);

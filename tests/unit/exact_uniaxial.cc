@@ -38,19 +38,20 @@ namespace
   {
   public:
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const override
     {
-      const double rho0 = 2.79, k = rho0 * 0.533 * 0.533, s = 1.34, mu = gamma[0] / rho0 - 1., chi = mu / (1. + mu);
-      pressure[0]            = k * chi / std::pow(1. - s * chi, 2) * (1. - mu) + 2. * gamma[0] * energy[0];
+      const double rho0 = 2.79, k = rho0 * 0.533 * 0.533, s = 1.34, mu = true_density[0] / rho0 - 1.,
+                   chi       = mu / (1. + mu);
+      pressure[0]            = k * chi / std::pow(1. - s * chi, 2) * (1. - mu) + 2. * true_density[0] * energy[0];
       sound_speed_squared[0] = 0.533 * 0.533;
     }
     void
-    derivatives(std::span<const double> gamma, std::span<const double>, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double>, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const override
     {
-      dp_dgamma[0] = 0.533 * 0.533;
-      dp_de[0]     = 2. * gamma[0];
+      dp_ddensity[0] = 0.533 * 0.533;
+      dp_de[0]       = 2. * true_density[0];
     }
     double
     energy_of_pressure(double, double) const override

@@ -65,17 +65,17 @@ namespace whipple
     for (const auto &[material, k] : published())
       for (const double share : {0.05, 0.3, 0.8, 1.2})
         {
-          const double u     = share * k.sound_speed;
-          const double speed = shock_speed(k, u);
-          const double gamma = k.reference_density / (1. - u / speed);
+          const double u            = share * k.sound_speed;
+          const double speed        = shock_speed(k, u);
+          const double true_density = k.reference_density / (1. - u / speed);
           SCOPED_TRACE(material + " u " + std::to_string(u));
           const CubicMieGrueneisen eos(k);
           const double             p = k.reference_density * speed * u;
-          EXPECT_NEAR(pressure(eos, gamma, 0.5 * u * u), p, 1e-12 * p);
-          EXPECT_GT(sound_speed_squared(eos, gamma, 0.5 * u * u), 0.);
+          EXPECT_NEAR(pressure(eos, true_density, 0.5 * u * u), p, 1e-12 * p);
+          EXPECT_GT(sound_speed_squared(eos, true_density, 0.5 * u * u), 0.);
           // Sound behind a shock catches up with it.
-          EXPECT_GT(std::sqrt(sound_speed_squared(eos, gamma, 0.5 * u * u)), speed - u);
-          expect_exact_derivatives(eos, {gamma, 0.5 * u * u}, 0.1 * k.sound_speed * k.sound_speed, 1e-8);
+          EXPECT_GT(std::sqrt(sound_speed_squared(eos, true_density, 0.5 * u * u)), speed - u);
+          expect_exact_derivatives(eos, {true_density, 0.5 * u * u}, 0.1 * k.sound_speed * k.sound_speed, 1e-8);
         }
   }
 
@@ -86,9 +86,10 @@ namespace whipple
     EXPECT_NEAR(cubic.max_density(), linear.max_density(), 1e-12 * linear.max_density());
     for (const State &state : states({2.785, 0.5328, {1.338, 0., 0.}, 2.0, 0.}))
       {
-        const double p = pressure(linear, state.gamma, state.e), c2 = sound_speed_squared(linear, state.gamma, state.e);
-        EXPECT_NEAR(pressure(cubic, state.gamma, state.e), p, 1e-14 * (1. + std::abs(p)));
-        EXPECT_NEAR(sound_speed_squared(cubic, state.gamma, state.e), c2, 1e-14 * (1. + std::abs(c2)));
+        const double p  = pressure(linear, state.true_density, state.e),
+                     c2 = sound_speed_squared(linear, state.true_density, state.e);
+        EXPECT_NEAR(pressure(cubic, state.true_density, state.e), p, 1e-14 * (1. + std::abs(p)));
+        EXPECT_NEAR(sound_speed_squared(cubic, state.true_density, state.e), c2, 1e-14 * (1. + std::abs(c2)));
       }
   }
 
@@ -127,7 +128,7 @@ namespace whipple
         SCOPED_TRACE(material);
         const CubicMieGrueneisen eos(k);
         const double             limit  = eos.max_density();
-        const auto               chi_of = [&](double gamma) { return 1. - k.reference_density / gamma; };
+        const auto               chi_of = [&](double true_density) { return 1. - k.reference_density / true_density; };
         const auto               D      = [&](double chi) {
           return 1. - chi * (k.hugoniot.s1 + chi * (k.hugoniot.s2 + chi * k.hugoniot.s3));
         };

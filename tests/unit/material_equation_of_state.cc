@@ -54,18 +54,18 @@ namespace whipple
     }
 
     double
-    pressure(const EquationOfState &eos, double gamma, double e)
+    pressure(const EquationOfState &eos, double true_density, double e)
     {
       double p, c2;
-      eos.evaluate({&gamma, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
+      eos.evaluate({&true_density, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
       return p;
     }
 
     double
-    sound_speed_squared(const EquationOfState &eos, double gamma, double e)
+    sound_speed_squared(const EquationOfState &eos, double true_density, double e)
     {
       double p, c2;
-      eos.evaluate({&gamma, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
+      eos.evaluate({&true_density, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
       return c2;
     }
   } // namespace
@@ -76,19 +76,22 @@ namespace whipple
       for (const auto &[ratio, e] : c.states)
         {
           SCOPED_TRACE(c.label + " gamma/gamma0 " + std::to_string(ratio) + " e " + std::to_string(e));
-          const double gamma = ratio * c.eos->reference_density();
-          const double h = 1e-5 * gamma, k = 1e-5 * (0.01 + e);
-          const double by_gamma = (pressure(*c.eos, gamma + h, e) - pressure(*c.eos, gamma - h, e)) / (2. * h);
-          const double by_e     = (pressure(*c.eos, gamma, e + k) - pressure(*c.eos, gamma, e - k)) / (2. * k);
+          const double true_density = ratio * c.eos->reference_density();
+          const double h = 1e-5 * true_density, k = 1e-5 * (0.01 + e);
+          const double by_density =
+              (pressure(*c.eos, true_density + h, e) - pressure(*c.eos, true_density - h, e)) / (2. * h);
+          const double by_e =
+              (pressure(*c.eos, true_density, e + k) - pressure(*c.eos, true_density, e - k)) / (2. * k);
 
-          double dp_dgamma, dp_de;
-          c.eos->derivatives({&gamma, 1}, {&e, 1}, {&dp_dgamma, 1}, {&dp_de, 1});
-          const double scale = 1e-7 * (c.stiffness + std::abs(by_gamma));
-          EXPECT_NEAR(dp_dgamma, by_gamma, scale);
+          double dp_ddensity, dp_de;
+          c.eos->derivatives({&true_density, 1}, {&e, 1}, {&dp_ddensity, 1}, {&dp_de, 1});
+          const double scale = 1e-7 * (c.stiffness + std::abs(by_density));
+          EXPECT_NEAR(dp_ddensity, by_density, scale);
           EXPECT_NEAR(dp_de, by_e, 1e-7 * std::abs(by_e));
 
-          const double c2 = by_gamma + pressure(*c.eos, gamma, e) / (gamma * gamma) * by_e;
-          EXPECT_NEAR(sound_speed_squared(*c.eos, gamma, e), c2, 1e-7 * (c.stiffness + std::abs(c2) + by_gamma));
+          const double c2 = by_density + pressure(*c.eos, true_density, e) / (true_density * true_density) * by_e;
+          EXPECT_NEAR(sound_speed_squared(*c.eos, true_density, e), c2,
+                      1e-7 * (c.stiffness + std::abs(c2) + by_density));
         }
   }
 
@@ -98,8 +101,9 @@ namespace whipple
       for (const auto &[ratio, e] : c.states)
         {
           SCOPED_TRACE(c.label + " gamma/gamma0 " + std::to_string(ratio) + " e " + std::to_string(e));
-          const double gamma = ratio * c.eos->reference_density();
-          EXPECT_NEAR(c.eos->energy_of_pressure(gamma, pressure(*c.eos, gamma, e)), e, 1e-14 * (1. + c.stiffness + e));
+          const double true_density = ratio * c.eos->reference_density();
+          EXPECT_NEAR(c.eos->energy_of_pressure(true_density, pressure(*c.eos, true_density, e)), e,
+                      1e-14 * (1. + c.stiffness + e));
         }
   }
 
@@ -118,10 +122,10 @@ namespace whipple
   TEST(MieGrueneisenLaw, PressureAndSoundSpeedAreContinuousAtTheReferenceDensity)
   {
     const MieGrueneisen eos(aluminium);
-    const double        gamma0 = eos.reference_density();
+    const double        reference_density = eos.reference_density();
     for (const double e : {-0.002, 0., 0.01, 0.3})
       {
-        const double above = gamma0 * (1. + 1e-12), below = gamma0 * (1. - 1e-12);
+        const double above = reference_density * (1. + 1e-12), below = reference_density * (1. - 1e-12);
         EXPECT_NEAR(pressure(eos, above, e), pressure(eos, below, e), 1e-11);
         EXPECT_NEAR(sound_speed_squared(eos, above, e), sound_speed_squared(eos, below, e), 1e-10);
       }
@@ -160,10 +164,10 @@ namespace whipple
     EXPECT_TRUE(std::isinf(MieGrueneisen({7.83, 0.3574, 0.9, 1.69}).max_density()));
 
     double last = 0.;
-    for (double gamma = 2.785 * 1.001; gamma < 0.999 * limit; gamma *= 1.01)
+    for (double true_density = 2.785 * 1.001; true_density < 0.999 * limit; true_density *= 1.01)
       {
-        EXPECT_GT(pressure(eos, gamma, 0.), last);
-        last = pressure(eos, gamma, 0.);
+        EXPECT_GT(pressure(eos, true_density, 0.), last);
+        last = pressure(eos, true_density, 0.);
       }
   }
 
@@ -173,22 +177,23 @@ namespace whipple
     for (const Case &c : cases())
       {
         SCOPED_TRACE(c.label);
-        std::vector<double> gamma, e;
+        std::vector<double> true_density, e;
         for (int i = 0; i < 37; ++i)
           {
-            gamma.push_back(c.eos->reference_density() * (0.7 + 0.02137 * i));
+            true_density.push_back(c.eos->reference_density() * (0.7 + 0.02137 * i));
             e.push_back(0.001 * ((i * 7) % 37));
           }
         std::vector<double> p(37), c2(37);
         for (std::size_t start = 0; start < 8; ++start)
           {
-            const std::size_t n = gamma.size() - start;
-            c.eos->evaluate(std::span<const double>(gamma).subspan(start), std::span<const double>(e).subspan(start),
-                            std::span<double>(p).first(n), std::span<double>(c2).first(n));
+            const std::size_t n = true_density.size() - start;
+            c.eos->evaluate(std::span<const double>(true_density).subspan(start),
+                            std::span<const double>(e).subspan(start), std::span<double>(p).first(n),
+                            std::span<double>(c2).first(n));
             for (std::size_t i = 0; i < n; ++i)
               {
-                const double single   = pressure(*c.eos, gamma[start + i], e[start + i]);
-                const double single_c = sound_speed_squared(*c.eos, gamma[start + i], e[start + i]);
+                const double single   = pressure(*c.eos, true_density[start + i], e[start + i]);
+                const double single_c = sound_speed_squared(*c.eos, true_density[start + i], e[start + i]);
                 EXPECT_EQ(std::memcmp(&p[i], &single, sizeof(double)), 0);
                 EXPECT_EQ(std::memcmp(&c2[i], &single_c, sizeof(double)), 0);
               }
@@ -230,12 +235,13 @@ namespace whipple
     const IsothermalEquationOfState eos(solid);
     for (const double ratio : {0.9, 1., 1.3})
       {
-        const double gamma = 2.785 * ratio, h = 1e-5 * gamma;
-        EXPECT_EQ(pressure(eos, gamma, 0.05), pressure(*solid, gamma, 0.));
-        const double slope = (pressure(*solid, gamma + h, 0.) - pressure(*solid, gamma - h, 0.)) / (2. * h);
+        const double true_density = 2.785 * ratio, h = 1e-5 * true_density;
+        EXPECT_EQ(pressure(eos, true_density, 0.05), pressure(*solid, true_density, 0.));
+        const double slope =
+            (pressure(*solid, true_density + h, 0.) - pressure(*solid, true_density - h, 0.)) / (2. * h);
         // At gamma0 the second derivative jumps, and the central difference is first order only.
-        EXPECT_NEAR(sound_speed_squared(eos, gamma, 0.05), slope, ratio == 1. ? 1e-5 : 1e-8);
-        EXPECT_EQ(eos.energy_of_pressure(gamma, pressure(*solid, gamma, 0.)), 0.);
+        EXPECT_NEAR(sound_speed_squared(eos, true_density, 0.05), slope, ratio == 1. ? 1e-5 : 1e-8);
+        EXPECT_EQ(eos.energy_of_pressure(true_density, pressure(*solid, true_density, 0.)), 0.);
       }
     EXPECT_THROW(eos.energy_of_pressure(2.785, 0.1), StateError);
     EXPECT_THROW(IsothermalEquationOfState(std::make_shared<IdealGas>(1.4, 1.)), InputError);

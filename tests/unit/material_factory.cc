@@ -42,10 +42,10 @@ namespace whipple
     }
 
     double
-    pressure(const EquationOfState &eos, double gamma, double e)
+    pressure(const EquationOfState &eos, double true_density, double e)
     {
       double p, c2;
-      eos.evaluate({&gamma, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
+      eos.evaluate({&true_density, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
       return p;
     }
   } // namespace
@@ -64,9 +64,9 @@ namespace whipple
     EXPECT_EQ(material.eos->name(), "mie-grueneisen");
     EXPECT_DOUBLE_EQ(material.eos->reference_density(), 2.703);
     EXPECT_EQ(material.void_law->name(), "rate");
-    const double zero = 0., gamma = 2.703;
+    const double zero = 0., true_density = 2.703;
     double       shear, yield;
-    material.strength->evaluate({{&gamma, 1}, {&zero, 1}, {}, {&zero, 1}, {}}, {&shear, 1}, {&yield, 1});
+    material.strength->evaluate({{&true_density, 1}, {&zero, 1}, {}, {&zero, 1}, {}}, {&shear, 1}, {&yield, 1});
     EXPECT_DOUBLE_EQ(shear, 0.276);
     EXPECT_DOUBLE_EQ(yield, 0.00345);
   }

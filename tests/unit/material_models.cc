@@ -39,8 +39,8 @@ namespace whipple
 
   TEST(Strength, ModelsReturnTheirConstants)
   {
-    const std::vector<double> gamma(3, 2.7), e(3, 0.), strain = {0., 0.1, 1.};
-    const StrengthInput       state{gamma, e, {}, strain, {}};
+    const std::vector<double> true_density(3, 2.7), e(3, 0.), strain = {0., 0.1, 1.};
+    const StrengthInput       state{true_density, e, {}, strain, {}};
     std::vector<double>       shear(3), yield(3);
 
     const PerfectlyPlastic perfect(0.276, 0.0029);

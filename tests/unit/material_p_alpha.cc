@@ -21,10 +21,10 @@ namespace
 {
   using namespace whipple;
 
-  constexpr double gamma0       = 2.7;
-  constexpr double bulk_modulus = 0.652;
+  constexpr double reference_density = 2.7;
+  constexpr double bulk_modulus      = 0.652;
 
-  const LinearPolynomial linear({.reference_density = gamma0, .c1 = bulk_modulus});
+  const LinearPolynomial linear({.reference_density = reference_density, .c1 = bulk_modulus});
   const MieGrueneisen    aluminium({2.785, 0.5328, 1.338, 2.0});
 
   constexpr PAlphaVoidLaw::Constants porous{0.3, 0.002, 0.02};
@@ -37,10 +37,10 @@ namespace
   }
 
   double
-  solid_pressure(const EquationOfState &eos, double gamma, double e)
+  solid_pressure(const EquationOfState &eos, double true_density, double e)
   {
     double p, c2;
-    eos.evaluate({&gamma, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
+    eos.evaluate({&true_density, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
     return p;
   }
 
@@ -59,7 +59,7 @@ namespace
   double
   density_on_curve(double alpha, double bulk_pressure)
   {
-    return gamma0 / alpha * (1. + alpha * bulk_pressure / bulk_modulus);
+    return reference_density / alpha * (1. + alpha * bulk_pressure / bulk_modulus);
   }
 
   TEST(PAlphaCrush, FollowsTheCurveOfTheReferences)
@@ -88,9 +88,9 @@ namespace
     EXPECT_LT(advanced(law, linear, density_on_curve(alpha0, 0.002 * (1. + 1e-9)), 0., 0.3), 0.3);
     EXPECT_GT(advanced(law, linear, density_on_curve(1., 0.02 * (1. - 1e-9)), 0., 0.3), 0.);
     EXPECT_EQ(advanced(law, linear, density_on_curve(1., 0.02 * (1. + 1e-9)), 0., 0.3), 0.);
-    EXPECT_EQ(advanced(law, linear, 1.3 * gamma0, 0., 0.3), 0.);
+    EXPECT_EQ(advanced(law, linear, 1.3 * reference_density, 0., 0.3), 0.);
     // solid material stays solid, and its zero bits
-    EXPECT_FALSE(std::signbit(advanced(law, linear, 1.01 * gamma0, 0., 0.)));
+    EXPECT_FALSE(std::signbit(advanced(law, linear, 1.01 * reference_density, 0., 0.)));
   }
 
   TEST(PAlphaCrush, IsIrreversible)
@@ -131,7 +131,7 @@ namespace
     const PAlphaVoidLaw law(spalling), never(porous);
     for (const double phi : {0., 0.1, 0.3})
       {
-        const double at_strength = (1. - phi) * gamma0 * (1. - 0.012 / bulk_modulus);
+        const double at_strength = (1. - phi) * reference_density * (1. - 0.012 / bulk_modulus);
         EXPECT_EQ(advanced(law, linear, at_strength * (1. + 1e-9), 0., phi), phi);
         EXPECT_EQ(advanced(never, linear, 0.5 * at_strength, 0., phi), phi);
         const double open = advanced(law, linear, at_strength * (1. - 1e-9), 0., phi);
@@ -139,7 +139,7 @@ namespace
         EXPECT_NEAR(solid_pressure(linear, at_strength * (1. - 1e-9) / (1. - open), 0.), 0., 1e-14);
       }
     // soundness: half of the strength, none, and none of an infinite one
-    const double rho = gamma0 * (1. - 0.009 / bulk_modulus), e = 0.;
+    const double rho = reference_density * (1. - 0.009 / bulk_modulus), e = 0.;
     for (const auto &[model, kept, opens] : {std::tuple{&law, 0.7, true}, std::tuple{&law, 0.8, false},
                                              std::tuple{&never, 0.1, false}, std::tuple{&never, 0., true}})
       {
@@ -153,17 +153,17 @@ namespace
   {
     const PAlphaVoidLaw law(porous);
     // no resistance while looser than phi0: P_s = 0 at 0.65 gamma0
-    EXPECT_NEAR(advanced(law, linear, 0.65 * gamma0, 0., 0.5), 0.35, 1e-14);
+    EXPECT_NEAR(advanced(law, linear, 0.65 * reference_density, 0., 0.5), 0.35, 1e-14);
     // the elastic range at phi0
     EXPECT_EQ(advanced(law, linear, density_on_curve(1. / 0.7, 0.001), 0., 0.5), 0.3);
     // and the curve, as if it had never been loose
     const double rho = density_on_curve(crush_curve(porous, 0.011), 0.011);
     EXPECT_EQ(advanced(law, linear, rho, 0., 0.5), advanced(law, linear, rho, 0., 0.3));
     // stretched further it opens without a threshold
-    EXPECT_NEAR(advanced(law, linear, 0.5 * gamma0, 0., 0.35), 0.5, 1e-14);
+    EXPECT_NEAR(advanced(law, linear, 0.5 * reference_density, 0., 0.35), 0.5, 1e-14);
     // phi0 that a remap has rounded is not loose
     const double rounded = 0.3 * (1. + 1e-15);
-    EXPECT_EQ(advanced(law, linear, 0.69 * gamma0, 0., rounded), rounded);
+    EXPECT_EQ(advanced(law, linear, 0.69 * reference_density, 0., rounded), rounded);
   }
 
   struct Cells

@@ -31,11 +31,11 @@ namespace whipple
     };
 
     Thermal
-    thermal(double gamma, double e)
+    thermal(double true_density, double e)
     {
       Thermal t;
       metal().evaluate(
-          {&gamma, 1}, {&e, 1},
+          {&true_density, 1}, {&e, 1},
           ThermalOutput{{&t.temperature, 1}, {&t.melt_temperature, 1}, {&t.melt_fraction, 1}, {&t.vapour_fraction, 1}});
       return t;
     }
@@ -47,9 +47,9 @@ namespace whipple
       double lower = 2.7 * (1. + 1e-9), upper = 8.;
       for (int i = 0; i < 200; ++i)
         {
-          const double gamma                                              = 0.5 * (lower + upper);
-          const double shock                                              = 2.7 * u * u / (1. - 2.7 / gamma);
-          (pressure(metal(), gamma, 0.5 * u * u) < shock ? lower : upper) = gamma;
+          const double true_density = 0.5 * (lower + upper);
+          const double shock        = 2.7 * u * u / (1. - 2.7 / true_density);
+          (pressure(metal(), true_density, 0.5 * u * u) < shock ? lower : upper) = true_density;
         }
       return lower;
     }
@@ -83,11 +83,11 @@ namespace whipple
                               {2.9602, 9.4729, 3.9272, .20, 75.712}, {3.2796, 9.9072, 4.0361, .25, 87.728},
                               {3.5576, 10.285, 4.1279, .30, 98.791}, {3.8063, 10.622, 4.2078, .35, 109.16},
                               {5.1341, 12.4087, 4.6055, .70, 172.01}};
-    for (const auto &[u, speed, gamma, temperature, p] : rows)
+    for (const auto &[u, speed, true_density, temperature, p] : rows)
       {
         SCOPED_TRACE(u);
         const double e = 0.5 * 0.01 * u * u, found = shocked_density(0.1 * u);
-        EXPECT_NEAR(found, gamma, 1e-3 * gamma);
+        EXPECT_NEAR(found, true_density, 1e-3 * true_density);
         EXPECT_NEAR(u / (1. - 2.7 / found), speed, 2e-3 * speed);
         EXPECT_NEAR(100. * pressure(metal(), found, e), p, 2e-3 * p);
         EXPECT_NEAR(thermal(found, e).temperature / eV, temperature, 0.01 * temperature);
@@ -106,10 +106,10 @@ namespace whipple
     EXPECT_EQ(melt(0.568), 1.);
     for (const auto &[u, p, temperature] : {std::array{0.54574, 1.9006, 0.75}, std::array{0.56466, 2.0069, 0.80}})
       {
-        const double gamma = shocked_density(u);
-        EXPECT_NEAR(pressure(metal(), gamma, 0.5 * u * u), p, 3e-3 * p);
+        const double true_density = shocked_density(u);
+        EXPECT_NEAR(pressure(metal(), true_density, 0.5 * u * u), p, 3e-3 * p);
         // Short of the 1 % of the solid: the liquid has the specific heat of the solid.
-        EXPECT_NEAR(thermal(gamma, 0.5 * u * u).temperature / eV, temperature, 0.035 * temperature);
+        EXPECT_NEAR(thermal(true_density, 0.5 * u * u).temperature / eV, temperature, 0.035 * temperature);
       }
   }
 
@@ -141,11 +141,11 @@ namespace whipple
         double lower = 2.58, upper = 7.;
         for (int i = 0; i < 60; ++i)
           {
-            const double gamma = 0.5 * (lower + upper);
+            const double true_density = 0.5 * (lower + upper);
             // The solid at its melting temperature: e = 3R T + cold energy, from the model's own temperature at 1 e.
-            const double e0 = 0., t0 = thermal(gamma, e0).temperature;
-            const double e = e0 + metal().specific_heat() * (thermal(gamma, e0).melt_temperature - t0);
-            (100. * pressure(metal(), gamma, e) < p ? lower : upper) = gamma;
+            const double e0 = 0., t0 = thermal(true_density, e0).temperature;
+            const double e = e0 + metal().specific_heat() * (thermal(true_density, e0).melt_temperature - t0);
+            (100. * pressure(metal(), true_density, e) < p ? lower : upper) = true_density;
           }
         EXPECT_NEAR(thermal(lower, 0.).melt_temperature / eV, temperature, 0.03 * temperature);
       }
@@ -154,26 +154,26 @@ namespace whipple
   TEST(SolidLiquidVapourLaw, PhasesOfTheStates)
   {
     for (const State &s : solid_states)
-      EXPECT_EQ(thermal(s.gamma, s.e).melt_fraction, 0.) << s.gamma << " " << s.e;
+      EXPECT_EQ(thermal(s.true_density, s.e).melt_fraction, 0.) << s.true_density << " " << s.e;
     for (const State &s : melting_states)
       {
-        EXPECT_GT(thermal(s.gamma, s.e).melt_fraction, 0.) << s.gamma << " " << s.e;
-        EXPECT_LT(thermal(s.gamma, s.e).melt_fraction, 1.) << s.gamma << " " << s.e;
-        EXPECT_GT(pressure(metal(), s.gamma, s.e), 0.);
+        EXPECT_GT(thermal(s.true_density, s.e).melt_fraction, 0.) << s.true_density << " " << s.e;
+        EXPECT_LT(thermal(s.true_density, s.e).melt_fraction, 1.) << s.true_density << " " << s.e;
+        EXPECT_GT(pressure(metal(), s.true_density, s.e), 0.);
       }
     for (const State &s : fluid_states)
       {
-        const Thermal t = thermal(s.gamma, s.e);
-        EXPECT_EQ(t.melt_fraction, 1.) << s.gamma << " " << s.e;
-        EXPECT_TRUE(t.vapour_fraction == 0. || t.vapour_fraction == 1.) << s.gamma << " " << s.e;
+        const Thermal t = thermal(s.true_density, s.e);
+        EXPECT_EQ(t.melt_fraction, 1.) << s.true_density << " " << s.e;
+        EXPECT_TRUE(t.vapour_fraction == 0. || t.vapour_fraction == 1.) << s.true_density << " " << s.e;
       }
     for (const State &s : boiling_states)
       {
-        EXPECT_GT(thermal(s.gamma, s.e).vapour_fraction, 0.) << s.gamma << " " << s.e;
-        EXPECT_LT(thermal(s.gamma, s.e).vapour_fraction, 1.) << s.gamma << " " << s.e;
+        EXPECT_GT(thermal(s.true_density, s.e).vapour_fraction, 0.) << s.true_density << " " << s.e;
+        EXPECT_LT(thermal(s.true_density, s.e).vapour_fraction, 1.) << s.true_density << " " << s.e;
       }
     for (const State &s : tension_states)
-      EXPECT_LT(pressure(metal(), s.gamma, s.e), 0.) << s.gamma << " " << s.e;
+      EXPECT_LT(pressure(metal(), s.true_density, s.e), 0.) << s.true_density << " " << s.e;
   }
 
   TEST(SolidLiquidVapourLaw, DerivativesAreThoseOfThePressure)
@@ -186,15 +186,16 @@ namespace whipple
   {
     // dS = (de + P dv)/T is total: d(1/T)/dv at constant e = d(P/T)/de at constant v, outside of tension.
     for (const auto &group : {solid_states, melting_states, fluid_states, boiling_states})
-      for (const auto &[gamma, e] : group)
+      for (const auto &[true_density, e] : group)
         {
-          SCOPED_TRACE("gamma " + std::to_string(gamma) + " e " + std::to_string(e));
-          const double v = 1. / gamma;
-          if (pressure(metal(), gamma, e) <= 0. || (gamma == 0.9 && e == 0.11))
+          SCOPED_TRACE("density " + std::to_string(true_density) + " e " + std::to_string(e));
+          const double v = 1. / true_density;
+          if (pressure(metal(), true_density, e) <= 0. || (true_density == 0.9 && e == 0.11))
             continue; // tension fades up to 27/32 of the critical temperature
           const double by_v = slope([&](double x) { return 1. / thermal(1. / x, e).temperature; }, v, 1e-4 * v);
           const double by_e =
-              slope([&](double x) { return pressure(metal(), gamma, x) / thermal(gamma, x).temperature; }, e, 1e-4 * e);
+              slope([&](double x) { return pressure(metal(), true_density, x) / thermal(true_density, x).temperature; },
+                    e, 1e-4 * e);
           EXPECT_NEAR(by_v, by_e, 1e-6 * std::abs(by_e));
         }
   }
@@ -210,21 +211,21 @@ namespace whipple
   {
     // From one point of a line to the next by what the derivatives at either end allow.
     const auto expect_step = [](const State &from, const State &to) {
-      const double gamma[] = {from.gamma, to.gamma}, e[] = {from.e, to.e};
-      double       p[2], c2[2], by_gamma[2], by_e[2];
-      metal().evaluate(gamma, e, p, c2);
-      metal().derivatives(gamma, e, by_gamma, by_e);
-      const double largest =
-          std::max(by_gamma[0], by_gamma[1]) * (gamma[1] - gamma[0]) + std::max(by_e[0], by_e[1]) * (e[1] - e[0]);
-      EXPECT_GE(p[1], p[0] - 1e-12) << gamma[0] << " " << e[0];
-      EXPECT_LE(p[1] - p[0], 1.05 * largest + 1e-9) << gamma[0] << " " << e[0];
+      const double true_density[] = {from.true_density, to.true_density}, e[] = {from.e, to.e};
+      double       p[2], c2[2], by_density[2], by_e[2];
+      metal().evaluate(true_density, e, p, c2);
+      metal().derivatives(true_density, e, by_density, by_e);
+      const double largest = std::max(by_density[0], by_density[1]) * (true_density[1] - true_density[0]) +
+                             std::max(by_e[0], by_e[1]) * (e[1] - e[0]);
+      EXPECT_GE(p[1], p[0] - 1e-12) << true_density[0] << " " << e[0];
+      EXPECT_LE(p[1] - p[0], 1.05 * largest + 1e-9) << true_density[0] << " " << e[0];
     };
     for (const double e : {-0.002, 0., 0.004, 0.0068, 0.0085, 0.0105, 0.02, 0.03, 0.05, 0.08, 0.12, 0.147, 0.16, 0.2})
-      for (double gamma = 0.01; gamma < 7.; gamma *= 1.0005)
-        expect_step({gamma, e}, {gamma * 1.0005, e});
-    for (const double gamma : {0.2, 0.6, 1.5, 2.3, 2.5, 2.7, 3.5, 4.5})
+      for (double true_density = 0.01; true_density < 7.; true_density *= 1.0005)
+        expect_step({true_density, e}, {true_density * 1.0005, e});
+    for (const double true_density : {0.2, 0.6, 1.5, 2.3, 2.5, 2.7, 3.5, 4.5})
       for (double e = -0.002; e < 0.25; e += 1e-5)
-        expect_step({gamma, e}, {gamma, e + 1e-5});
+        expect_step({true_density, e}, {true_density, e + 1e-5});
   }
 
   TEST(SolidLiquidVapourLaw, InverseAndLimits)
@@ -242,17 +243,17 @@ namespace whipple
     const std::vector<State> states = all_states();
     expect_batch_is_scalar(metal(), states);
 
-    std::vector<double> gamma, e, temperature(states.size()), melt(states.size());
+    std::vector<double> true_density, e, temperature(states.size()), melt(states.size());
     for (const State &state : states)
       {
-        gamma.push_back(state.gamma);
+        true_density.push_back(state.true_density);
         e.push_back(state.e);
       }
-    metal().evaluate(gamma, e, ThermalOutput{temperature, {}, melt, {}});
+    metal().evaluate(true_density, e, ThermalOutput{temperature, {}, melt, {}});
     for (std::size_t i = 0; i < states.size(); ++i)
       {
-        EXPECT_EQ(temperature[i], thermal(gamma[i], e[i]).temperature);
-        EXPECT_EQ(melt[i], thermal(gamma[i], e[i]).melt_fraction);
+        EXPECT_EQ(temperature[i], thermal(true_density[i], e[i]).temperature);
+        EXPECT_EQ(melt[i], thermal(true_density[i], e[i]).melt_fraction);
         EXPECT_GT(temperature[i], 0.);
       }
   }
@@ -265,13 +266,13 @@ namespace whipple
     relax_void_fraction(metal(), std::numeric_limits<double>::infinity(), 0., {rho, e, {}}, phi);
     for (int i = 0; i < 3; ++i)
       {
-        const double gamma = rho[i] / (1. - phi[i]);
-        EXPECT_NEAR(pressure(metal(), gamma, e[i]), 0., 1e-10);
+        const double true_density = rho[i] / (1. - phi[i]);
+        EXPECT_NEAR(pressure(metal(), true_density, e[i]), 0., 1e-10);
         // In balance, tension and pressure agree about the state.
-        EXPECT_NEAR(thermal(gamma * (1. - 1e-9), e[i]).temperature, thermal(gamma * (1. + 1e-9), e[i]).temperature,
-                    1e-3);
-        EXPECT_NEAR(thermal(gamma * (1. - 1e-9), e[i]).melt_fraction, thermal(gamma * (1. + 1e-9), e[i]).melt_fraction,
-                    1e-5);
+        EXPECT_NEAR(thermal(true_density * (1. - 1e-9), e[i]).temperature,
+                    thermal(true_density * (1. + 1e-9), e[i]).temperature, 1e-3);
+        EXPECT_NEAR(thermal(true_density * (1. - 1e-9), e[i]).melt_fraction,
+                    thermal(true_density * (1. + 1e-9), e[i]).melt_fraction, 1e-5);
       }
     EXPECT_EQ(phi[3], 0.);
     EXPECT_GT(pressure(metal(), 0.4, 0.13), 0.);

@@ -121,13 +121,13 @@ namespace
     for (const double rho : table.density)
       for (const double e : {-0.3, 0., 0.2, 3.})
         {
-          double dp_dgamma[2], dp_de[2];
+          double dp_ddensity[2], dp_de[2];
           for (int side = 0; side < 2; ++side)
             {
               const double at = rho * (1. + (side == 0 ? -1e-9 : 1e-9));
-              law.derivatives({&at, 1}, {&e, 1}, {&dp_dgamma[side], 1}, {&dp_de[side], 1});
+              law.derivatives({&at, 1}, {&e, 1}, {&dp_ddensity[side], 1}, {&dp_de[side], 1});
             }
-          EXPECT_NEAR(dp_dgamma[0], dp_dgamma[1], 1e-6 * (1. + std::abs(dp_dgamma[0])));
+          EXPECT_NEAR(dp_ddensity[0], dp_ddensity[1], 1e-6 * (1. + std::abs(dp_ddensity[0])));
           EXPECT_NEAR(dp_de[0], dp_de[1], 1e-6 * (1. + std::abs(dp_de[0])));
         }
   }
@@ -314,12 +314,12 @@ namespace
     std::vector<double> rho, e;
     for (const auto &state : states(1000))
       {
-        rho.push_back(state.gamma);
+        rho.push_back(state.true_density);
         e.push_back(2. * state.e - 0.2);
       }
-    std::vector<double> p(1000), c2(1000), dp_dgamma(1000), dp_de(1000);
+    std::vector<double> p(1000), c2(1000), dp_ddensity(1000), dp_de(1000);
     law.evaluate(rho, e, p, c2);
-    law.derivatives(rho, e, dp_dgamma, dp_de);
+    law.derivatives(rho, e, dp_ddensity, dp_de);
     for (std::size_t i = 0; i < 1000; ++i)
       {
         double alone[4];
@@ -327,7 +327,7 @@ namespace
         law.derivatives({&rho[i], 1}, {&e[i], 1}, {&alone[2], 1}, {&alone[3], 1});
         ASSERT_EQ(std::memcmp(&alone[0], &p[i], sizeof(double)), 0);
         ASSERT_EQ(std::memcmp(&alone[1], &c2[i], sizeof(double)), 0);
-        ASSERT_EQ(std::memcmp(&alone[2], &dp_dgamma[i], sizeof(double)), 0);
+        ASSERT_EQ(std::memcmp(&alone[2], &dp_ddensity[i], sizeof(double)), 0);
         ASSERT_EQ(std::memcmp(&alone[3], &dp_de[i], sizeof(double)), 0);
       }
   }

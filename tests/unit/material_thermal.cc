@@ -20,12 +20,12 @@ namespace whipple
 {
   namespace
   {
-    constexpr double gamma0 = 2.703, cv = 8.85e-6, gruneisen = 1.97; // aluminium 6061-T6
+    constexpr double reference_density = 2.703, cv = 8.85e-6, gruneisen = 1.97; // aluminium 6061-T6
 
     const MieGrueneisen &
     aluminium()
     {
-      static const MieGrueneisen eos({gamma0, 0.524, 1.40, gruneisen});
+      static const MieGrueneisen eos({reference_density, 0.524, 1.40, gruneisen});
       return eos;
     }
 
@@ -151,15 +151,15 @@ namespace whipple
   TEST(ThermalModel, MatchesIndependentIntegrationOfTheIsentrope)
   {
     const ConstantSpecificHeat thermal(aluminium(), solid_only());
-    EXPECT_EQ(at(thermal, gamma0, 0.).temperature, 300.);
-    EXPECT_NEAR(at(thermal, gamma0, cv * 100.).temperature, 400., 1e-10);
+    EXPECT_EQ(at(thermal, reference_density, 0.).temperature, 300.);
+    EXPECT_NEAR(at(thermal, reference_density, cv * 100.).temperature, 400., 1e-10);
     const double independent[][3] = {{0.7, 0.05, 3516.2587182022403},
                                      {0.9, 0.004, 628.8271081978496},
                                      {1.04, 0.003, 592.6811011850764},
                                      {1.3, 0.03, 2559.4999550801535},
                                      {2.5, 0.15, 4829.425407430333}};
     for (const auto &[v, energy, temperature] : independent)
-      EXPECT_NEAR(at(thermal, gamma0 / v, energy).temperature, temperature, 1e-6 * temperature) << v;
+      EXPECT_NEAR(at(thermal, reference_density / v, energy).temperature, temperature, 1e-6 * temperature) << v;
     EXPECT_EQ(at(thermal, 2.5, 0.02).melt_fraction, 0.);
     EXPECT_TRUE(std::isinf(at(thermal, 2.5, 0.02).melt_temperature));
     EXPECT_TRUE(std::isinf(thermal.transitions().melt_onset));
@@ -182,7 +182,7 @@ namespace whipple
           };
           const double rise = std::log(at(thermal, density + h, moved(h)).temperature /
                                        at(thermal, density - h, moved(-h)).temperature);
-          EXPECT_NEAR(rise / std::log((density + h) / (density - h)), gruneisen * gamma0 / density, 1e-4)
+          EXPECT_NEAR(rise / std::log((density + h) / (density - h)), gruneisen * reference_density / density, 1e-4)
               << density << " " << temperature;
         }
   }
@@ -216,7 +216,7 @@ namespace whipple
     EXPECT_NEAR(t.melt_onset, 0.006105671428, 1e-9); // independent
     EXPECT_DOUBLE_EQ(t.melt_complete, t.melt_onset + 0.00398);
     const double solid = released(aluminium(), t.melt_onset), liquid = released(aluminium(), t.melt_complete);
-    EXPECT_NEAR(gamma0 / solid, 1.0457176995, 1e-7); // independent
+    EXPECT_NEAR(reference_density / solid, 1.0457176995, 1e-7); // independent
     EXPECT_NEAR(at(thermal, solid, t.melt_onset).temperature, 933.5, 1e-4);
     EXPECT_NEAR(at(thermal, solid, t.melt_onset).melt_fraction, 0., 1e-6);
     EXPECT_NEAR(at(thermal, liquid, t.melt_complete).temperature, 933.5, 1e-4);
@@ -241,7 +241,7 @@ namespace whipple
     constexpr double           fusion           = 0.00335481670502; // at constant density, independent
     for (const auto &[v, melt] : independent)
       {
-        const double density = gamma0 / v;
+        const double density = reference_density / v;
         const double onset   = cv * (melt - at(frozen, density, 0.).temperature);
         for (const double share : {0.001, 0.3, 0.999})
           {
@@ -274,8 +274,8 @@ namespace whipple
     EXPECT_GT(half.vapour_fraction, 0.4);
     EXPECT_LT(half.vapour_fraction, 0.8);
     EXPECT_EQ(half.melt_fraction, 1.);
-    EXPECT_EQ(at(thermal, gamma0, 0.1).vapour_fraction, 0.);
-    EXPECT_GT(at(thermal, gamma0, 0.1).temperature, 5000.);
+    EXPECT_EQ(at(thermal, reference_density, 0.1).vapour_fraction, 0.);
+    EXPECT_GT(at(thermal, reference_density, 0.1).temperature, 5000.);
   }
 
   TEST(ThermalModel, NeedsNoLawThatHoldsOrReleasesItsVapour)
@@ -307,7 +307,7 @@ namespace whipple
           {
             const double next = at(thermal, density, energy).temperature;
             // the steepest place: up to 15000 K boil away over 0.02 of v, 1.5 times as steep in the middle
-            ASSERT_LT(std::abs(next - last), 1e-5 * gamma0 / (density * density) * 1.5 / 0.02 * 15000.)
+            ASSERT_LT(std::abs(next - last), 1e-5 * reference_density / (density * density) * 1.5 / 0.02 * 15000.)
                 << density << " " << energy;
             last = next;
           }
@@ -325,7 +325,8 @@ namespace whipple
     const ConstantSpecificHeat solid(aluminium(), solid_only());
     const double               rows[][3] = {{3.6049, 0.10, 2.1527}, {3.8770, 0.18, 3.9659}, {4.2078, 0.35, 7.2438}};
     for (const auto &[density, eV, energy] : rows)
-      EXPECT_NEAR(at(solid, density * gamma0 / 2.70, energy * 0.01).temperature, eV * 11604.5, 0.095 * eV * 11604.5);
+      EXPECT_NEAR(at(solid, density * reference_density / 2.70, energy * 0.01).temperature, eV * 11604.5,
+                  0.095 * eV * 11604.5);
   }
 
   TEST(ThermalModel, EveryLibraryMaterialMeltsAndBoils)

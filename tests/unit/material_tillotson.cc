@@ -77,10 +77,10 @@ namespace whipple
       {
         const Tillotson eos(k);
         const double    d  = 1e-12;
-        const auto      at = [&](double gamma1, double e1, double gamma2, double e2) {
-          SCOPED_TRACE("gamma " + std::to_string(gamma1) + " e " + std::to_string(e1));
-          EXPECT_NEAR(pressure(eos, gamma1, e1), pressure(eos, gamma2, e2), 1e-7 * k.bulk_modulus);
-          EXPECT_NEAR(sound_speed_squared(eos, gamma1, e1), sound_speed_squared(eos, gamma2, e2),
+        const auto      at = [&](double density1, double e1, double density2, double e2) {
+          SCOPED_TRACE("density " + std::to_string(density1) + " e " + std::to_string(e1));
+          EXPECT_NEAR(pressure(eos, density1, e1), pressure(eos, density2, e2), 1e-7 * k.bulk_modulus);
+          EXPECT_NEAR(sound_speed_squared(eos, density1, e1), sound_speed_squared(eos, density2, e2),
                            1e-6 * k.bulk_modulus / k.reference_density);
         };
         const double iv = k.incipient_vaporisation_energy, cv = k.complete_vaporisation_energy;

@@ -23,10 +23,10 @@ namespace whipple
 {
   namespace
   {
-    constexpr double gamma0       = 2.7;
-    constexpr double bulk_modulus = 0.652;
+    constexpr double reference_density = 2.7;
+    constexpr double bulk_modulus      = 0.652;
 
-    const LinearPolynomial linear({.reference_density = gamma0, .c1 = bulk_modulus});
+    const LinearPolynomial linear({.reference_density = reference_density, .c1 = bulk_modulus});
     const MieGrueneisen    aluminium({2.785, 0.5328, 1.338, 2.0});
     const double           alphas[] = {1e-2, 1e-1, 1., 1e1, 1e2, 1e3, 1e5, 1e7, 1e9};
 
@@ -38,10 +38,10 @@ namespace whipple
     }
 
     double
-    pressure(const EquationOfState &eos, double gamma, double e)
+    pressure(const EquationOfState &eos, double true_density, double e)
     {
       double p, c2;
-      eos.evaluate({&gamma, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
+      eos.evaluate({&true_density, 1}, {&e, 1}, {&p, 1}, {&c2, 1});
       return p;
     }
 
@@ -50,7 +50,7 @@ namespace whipple
     phi_after_one_relaxation_time(double alpha, double rho, double phi, int steps)
     {
       const RateVoidLaw law(alpha, 0.);
-      const double      dt = gamma0 / (alpha * bulk_modulus) / steps;
+      const double      dt = reference_density / (alpha * bulk_modulus) / steps;
       for (int i = 0; i < steps; ++i)
         phi = advanced(law, linear, dt, rho, 0., phi);
       return phi;
@@ -89,10 +89,10 @@ namespace whipple
       for (const double alpha : alphas)
         {
           SCOPED_TRACE("g0 " + std::to_string(g0) + " alpha " + std::to_string(alpha));
-          const double phi0 = 0.3;
-          const double rho  = (1. - phi0) * g0 * gamma0;
-          const double exact =
-              exact::VoidRate({gamma0, bulk_modulus, alpha, rho, phi0}).void_fraction(gamma0 / (alpha * bulk_modulus));
+          const double phi0  = 0.3;
+          const double rho   = (1. - phi0) * g0 * reference_density;
+          const double exact = exact::VoidRate({reference_density, bulk_modulus, alpha, rho, phi0})
+                                   .void_fraction(reference_density / (alpha * bulk_modulus));
           const double coarse = std::abs(phi_after_one_relaxation_time(alpha, rho, phi0, 64) - exact);
           const double fine   = std::abs(phi_after_one_relaxation_time(alpha, rho, phi0, 128) - exact);
           order(coarse / fine - 2.);
@@ -117,10 +117,10 @@ namespace whipple
             if (phi == 0. || phi == old || 1. - phi < 1e-9)
               continue;
             // Both sides are known to rounding of phi: of 1 - phi in gamma, of the difference in the rate.
-            const double gamma    = rho / (1. - phi);
-            const double rate     = alpha * rho * dt / (2.785 * 2.785);
-            const double rounding = 1e-14 * (1. + rate * 2. / (1. - phi));
-            EXPECT_NEAR(phi - old, -rate * pressure(aluminium, gamma, e), rounding) << alpha << " " << i;
+            const double true_density = rho / (1. - phi);
+            const double rate         = alpha * rho * dt / (2.785 * 2.785);
+            const double rounding     = 1e-14 * (1. + rate * 2. / (1. - phi));
+            EXPECT_NEAR(phi - old, -rate * pressure(aluminium, true_density, e), rounding) << alpha << " " << i;
           }
       }
   }
@@ -204,10 +204,10 @@ namespace whipple
   TEST(VoidClosure, PoresUnderCompressionCloseToExactlyZero)
   {
     // rho > gamma0: no equilibrium with voids. In the exact solution g falls from g0 to rho/gamma0 in finite time.
-    const double phi0 = 0.02, rho = 1.05 * gamma0, g0 = rho / gamma0 / (1. - phi0);
+    const double phi0 = 0.02, rho = 1.05 * reference_density, g0 = rho / reference_density / (1. - phi0);
     const double alpha      = 100.;
     const auto   clock      = [](double g) { return std::log((g - 1.) / g) + 1. / g; };
-    const double close_time = (clock(g0) - clock(rho / gamma0)) * gamma0 / (alpha * bulk_modulus);
+    const double close_time = (clock(g0) - clock(rho / reference_density)) * reference_density / (alpha * bulk_modulus);
     const int    steps      = 400;
     const double dt         = 2. * close_time / steps;
     double       phi        = phi0;
@@ -226,19 +226,19 @@ namespace whipple
   {
     const double      strength = 0.012;
     const RateVoidLaw law(100., strength);
-    const double      at_strength = gamma0 * (1. - strength / bulk_modulus);
+    const double      at_strength = reference_density * (1. - strength / bulk_modulus);
     EXPECT_EQ(advanced(law, linear, 0.005, at_strength * (1. + 1e-6), 0., 0.), 0.);
     const double opened = advanced(law, linear, 0.005, at_strength * (1. - 1e-6), 0., 0.);
     EXPECT_GT(opened, 0.);
 
     // Relieved to a tension far below the strength, the same material goes on opening: hysteresis.
-    const double rho = (1. - opened) * gamma0 * (1. - 0.1 * strength / bulk_modulus);
+    const double rho = (1. - opened) * reference_density * (1. - 0.1 * strength / bulk_modulus);
     EXPECT_GT(advanced(law, linear, 0.005, rho, 0., opened), opened);
     EXPECT_EQ(advanced(law, linear, 0.005, rho, 0., 0.), 0.);
 
     // Closed again by compression, it is sound again and the threshold is back.
-    EXPECT_EQ(advanced(law, linear, 0.1, 1.01 * gamma0, 0., opened), 0.);
-    EXPECT_EQ(advanced(RateVoidLaw(INFINITY, INFINITY), linear, 1., 0.1 * gamma0, 0., 0.), 0.);
+    EXPECT_EQ(advanced(law, linear, 0.1, 1.01 * reference_density, 0., opened), 0.);
+    EXPECT_EQ(advanced(RateVoidLaw(INFINITY, INFINITY), linear, 1., 0.1 * reference_density, 0., 0.), 0.);
   }
 
   TEST(SpallThreshold, SoundnessScalesItCellByCell)
@@ -247,13 +247,13 @@ namespace whipple
     for (const double kept : {1., 0.5, 0.1, 0.})
       for (const double side : {1e-6, -1e-6})
         {
-          const double rho = gamma0 * (1. - kept * strength / bulk_modulus + side), e = 0.;
+          const double rho = reference_density * (1. - kept * strength / bulk_modulus + side), e = 0.;
           double       phi = 0.;
           EquilibriumVoidLaw(strength).advance(linear, 0.01, {{&rho, 1}, {&e, 1}, {&kept, 1}}, {&phi, 1});
           EXPECT_EQ(phi > 0., side < 0.) << kept;
         }
     // an infinite strength of which nothing is left is none; of which something is left, infinite
-    const std::vector<double> soundness = {0., 1e-3}, rho(2, 0.99 * gamma0), e(2, 0.);
+    const std::vector<double> soundness = {0., 1e-3}, rho(2, 0.99 * reference_density), e(2, 0.);
     std::vector<double>       phi(2, 0.);
     EquilibriumVoidLaw(INFINITY).advance(linear, 0.01, {rho, e, soundness}, phi);
     EXPECT_NEAR(phi[0], 0.01, 1e-15);

@@ -181,15 +181,15 @@ TEST(ToEulerian, PackagesKeepTrueDensityExactly)
   Target target(cloud.grid, uniform_keys(cloud.grid, 2));
   target.lay_down(cloud.grid, {elements[0], elements[3], elements[9]}, Representation::packages);
   EXPECT_EQ(target.report.solid_compressed, 0.);
-  const std::array<double, 2> gamma{{2.75, 7.9}};
+  const std::array<double, 2> true_density{{2.75, 7.9}};
   for (int m = 0; m < 2; ++m)
     for (Index cell = 0; cell < target.mesh.n_cells; ++cell)
       if (target.state.material[m].mass[cell] > 0)
         {
           const MaterialState &material = target.state.material[m];
           EXPECT_EQ(material.void_fraction[cell], 0.);
-          EXPECT_NEAR(material.density[cell], gamma[m], 1e-13 * gamma[m]);
-          EXPECT_NEAR(material.mass[cell] / material.volume[cell], gamma[m], 1e-12 * gamma[m]);
+          EXPECT_NEAR(material.density[cell], true_density[m], 1e-13 * true_density[m]);
+          EXPECT_NEAR(material.mass[cell] / material.volume[cell], true_density[m], 1e-12 * true_density[m]);
         }
 }
 
@@ -250,10 +250,10 @@ TEST(ToEulerian, PoresAreSqueezedBeforeTheSolid)
   auto      &packet = elements[0].packet;
   for (int m = 0; m < 2; ++m)
     {
-      const double gamma              = packet[layout.density(m)] / (1. - packet[layout.void_fraction(m)]);
+      const double true_density       = packet[layout.density(m)] / (1. - packet[layout.void_fraction(m)]);
       packet[layout.void_fraction(m)] = 0.6;
-      packet[layout.density(m)]       = 0.4 * gamma;
-      packet[layout.mass(m)]          = 0.4 * gamma * packet[layout.volume(m)];
+      packet[layout.density(m)]       = 0.4 * true_density;
+      packet[layout.mass(m)]          = 0.4 * true_density * packet[layout.volume(m)];
     }
   for (double &mass : elements[0].corner_mass)
     mass = 0.25 * (packet[layout.mass(0)] + packet[layout.mass(1)]);

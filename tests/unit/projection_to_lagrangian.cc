@@ -136,8 +136,8 @@ TEST(ToLagrangian, TrueDensityIsKeptAndOpenVoidFolded)
           filled += b.volume[element];
           if (b.mass[element] == 0)
             continue;
-          const double gamma = a.density[cell] / (1. - a.void_fraction[cell]);
-          EXPECT_NEAR(b.density[element] / (1. - b.void_fraction[element]), gamma, 1e-13 * gamma);
+          const double true_density = a.density[cell] / (1. - a.void_fraction[cell]);
+          EXPECT_NEAR(b.density[element] / (1. - b.void_fraction[element]), true_density, 1e-13 * true_density);
           EXPECT_NEAR(b.density[element], b.mass[element] / b.volume[element], 1e-13 * b.density[element]);
           EXPECT_EQ(b.energy[element], a.energy[cell]);
           EXPECT_EQ(b.fields[1].value[element], a.fields[1].value[cell]);

@@ -183,6 +183,6 @@ TEST(RemapPartition, SameBitsOnEveryPart)
           EXPECT_NEAR(sum.side[s].momentum[1], report.side[s].momentum[1], 1e-14);
           EXPECT_NEAR(sum.side[s].internal, report.side[s].internal, 1e-14);
         }
-      EXPECT_EQ(sum.flotsam_cells, report.flotsam_cells);
+      EXPECT_EQ(sum.remnant_cells, report.remnant_cells);
     }
 }

@@ -28,11 +28,11 @@ namespace whipple
   {
     std::vector<double>                half_pressure; ///< P at half step, Mbar; empty if there is one material
     std::vector<double>                volume, density, energy;
-    std::vector<double>                void_fraction;      ///< empty without void law
-    double                             yielding       = 0; ///< VoidLaw::yielding(), us cm^4/g^2; finite
-    double                             trace_density  = 0; ///< Material::trace_density, g/cm^3
-    double                             normal_density = 0; ///< at which a trace beside others lies, g/cm^3
-    std::array<std::vector<double>, 3> stress;             ///< s_00, s_11, s_01; empty without strength
+    std::vector<double>                void_fraction;         ///< empty without void law
+    double                             yielding          = 0; ///< VoidLaw::yielding(), us cm^4/g^2; finite
+    double                             trace_density     = 0; ///< Material::trace_density, g/cm^3
+    double                             reference_density = 0; ///< at which a trace beside others lies, g/cm^3
+    std::array<std::vector<double>, 3> stress;                ///< s_00, s_11, s_01; empty without strength
     std::vector<double>                plastic_strain;
   };
 

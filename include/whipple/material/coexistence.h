@@ -27,8 +27,8 @@ namespace whipple
         const double pressure   = a.pressure - b.pressure;
         const double gibbs      = Dense::gibbs(dense, temperature) - Light::gibbs(light, temperature);
         const double light_rise = (pressure / dense - gibbs) / (1. / dense - 1. / light); // of its pressure
-        const double dense_part = std::clamp((light_rise - pressure) / (a.dp_dgamma * dense), -0.05, 0.05);
-        const double light_part = std::clamp(light_rise / (b.dp_dgamma * light), -0.5, 0.5);
+        const double dense_part = std::clamp((light_rise - pressure) / (a.dp_ddensity * dense), -0.05, 0.05);
+        const double light_part = std::clamp(light_rise / (b.dp_ddensity * light), -0.5, 0.5);
         dense *= 1. + dense_part;
         light *= std::exp(light_part); // vapour: over many decades
         change = std::max(std::abs(dense_part), std::abs(light_part));
@@ -122,19 +122,19 @@ namespace whipple
               energy<Dense>(a, temperature, slope),
               energy<Light>(b, temperature, slope),
               p.pressure,
-              p.dp_dgamma * b.slope + p.dp_dT * slope};
+              p.dp_ddensity * b.slope + p.dp_dT * slope};
     }
 
     struct Mixture
     {
-      double tau, pressure, dp_dgamma, dp_de, temperature, light_fraction;
+      double tau, pressure, dp_ddensity, dp_de, temperature, light_fraction;
     };
 
     /// The mixture of density gamma and energy e, with tau between the bounds.
     Mixture
-    mixture(double gamma, double energy, double lower, double upper) const
+    mixture(double true_density, double energy, double lower, double upper) const
     {
-      const double v       = 1. / gamma;
+      const double v       = 1. / true_density;
       const bool   rising  = parameter_ == Parameter::temperature; // the energy, with tau
       double       tau     = 0.5 * (lower + upper);
       Excess       at_root = excess(tau, v, energy);

@@ -19,7 +19,7 @@ namespace whipple
 
     /// Mbar cm^3/g; linear in log(gamma) between the points of the table, beyond the last one that one's.
     double
-    energy(double gamma) const;
+    energy(double true_density) const;
 
   private:
     double              density_; ///< where the table begins

@@ -23,18 +23,18 @@ namespace whipple
     /// c^2 = dP/dgamma|_e + (P/gamma^2) dP/de|_gamma [cm^2/us^2]. c^2 may be negative in states the law does
     /// not support (deep tension); callers bound it where they need a root.
     virtual void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const = 0;
 
     /// dP/dgamma at constant e and dP/de at constant gamma, for implicit solves.
     virtual void
-    derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double> energy, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const = 0;
 
     /// e with P_s(gamma, e) = pressure.
     /// @throws StateError where no such e exists.
     virtual double
-    energy_of_pressure(double gamma, double pressure) const = 0;
+    energy_of_pressure(double true_density, double pressure) const = 0;
 
     /// gamma0: density at P = 0, e = 0 for solids; a typical density for gases.
     virtual double
@@ -51,10 +51,10 @@ namespace whipple
     /// For callers outside the hot loops.
     /// @throws StateError unless 0 < gamma < max_density().
     void
-    check_density(double gamma) const
+    check_density(double true_density) const
     {
-      if (!(gamma > 0. && gamma < max_density()))
-        throw StateError(name() + ": density " + std::to_string(gamma) + " g/cm^3 is outside (0, " +
+      if (!(true_density > 0. && true_density < max_density()))
+        throw StateError(name() + ": density " + std::to_string(true_density) + " g/cm^3 is outside (0, " +
                          std::to_string(max_density()) + ")");
     }
 

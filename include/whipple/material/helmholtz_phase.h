@@ -31,63 +31,65 @@ namespace whipple
     /// P and its derivatives, and T, at (gamma, e).
     struct Caloric
     {
-      double pressure, dp_dgamma, dp_de, temperature;
+      double pressure, dp_ddensity, dp_de, temperature;
     };
     static Caloric
-    caloric(double gamma, double energy)
+    caloric(double true_density, double energy)
     {
-      const double          eta     = gamma / Material::reference_density;
+      const double          eta     = true_density / Material::reference_density;
       const ColdEnergy      phi     = Material::cold_energy(eta);
       const GrueneisenCurve g       = Material::grueneisen(eta);
       const double          thermal = energy - phi.value;
-      return {Material::reference_density * eta * eta * phi.slope + g.value * gamma * thermal,
+      return {Material::reference_density * eta * eta * phi.slope + g.value * true_density * thermal,
               eta * ((2. - g.value) * phi.slope + eta * phi.curvature) + (g.value + eta * g.slope) * thermal,
-              g.value * gamma, thermal / Material::specific_heat};
+              g.value * true_density, thermal / Material::specific_heat};
     }
 
     /// P and its derivatives at (gamma, T).
     struct Thermal
     {
-      double pressure, dp_dgamma, dp_dT;
+      double pressure, dp_ddensity, dp_dT;
     };
     static Thermal
-    thermal(double gamma, double temperature)
+    thermal(double true_density, double temperature)
     {
-      const double          eta  = gamma / Material::reference_density;
+      const double          eta  = true_density / Material::reference_density;
       const ColdEnergy      phi  = Material::cold_energy(eta);
       const GrueneisenCurve g    = Material::grueneisen(eta);
       const double          heat = Material::specific_heat * temperature;
-      return {Material::reference_density * eta * eta * phi.slope + g.value * gamma * heat,
+      return {Material::reference_density * eta * eta * phi.slope + g.value * true_density * heat,
               eta * (2. * phi.slope + eta * phi.curvature) + (g.value + eta * g.slope) * heat,
-              g.value * gamma * Material::specific_heat};
+              g.value * true_density * Material::specific_heat};
     }
 
     static double
-    temperature(double gamma, double energy)
+    temperature(double true_density, double energy)
     {
-      return (energy - Material::cold_energy(gamma / Material::reference_density).value) / Material::specific_heat;
+      return (energy - Material::cold_energy(true_density / Material::reference_density).value) /
+             Material::specific_heat;
     }
 
     static double
-    energy(double gamma, double temperature)
+    energy(double true_density, double temperature)
     {
-      return Material::cold_energy(gamma / Material::reference_density).value + Material::specific_heat * temperature;
+      return Material::cold_energy(true_density / Material::reference_density).value +
+             Material::specific_heat * temperature;
     }
 
     static double
-    entropy(double gamma, double temperature)
+    entropy(double true_density, double temperature)
     {
       return Material::specific_heat * (std::log(temperature / Material::reference_temperature) -
-                                        Material::log_theta(gamma / Material::reference_density)) +
+                                        Material::log_theta(true_density / Material::reference_density)) +
              Material::entropy_shift;
     }
 
     /// Gibbs' free energy.
     static double
-    gibbs(double gamma, double temperature)
+    gibbs(double true_density, double temperature)
     {
-      return energy(gamma, temperature) - temperature * entropy(gamma, temperature) +
-             thermal(gamma, temperature).pressure / gamma;
+      return energy(true_density, temperature) - temperature * entropy(true_density, temperature) +
+             thermal(true_density, temperature).pressure / true_density;
     }
   };
 } // namespace whipple

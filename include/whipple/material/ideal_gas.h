@@ -16,13 +16,13 @@ namespace whipple
     IdealGas(double adiabatic_exponent, double reference_density);
 
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const override;
     void
-    derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double> energy, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const override;
     double
-    energy_of_pressure(double gamma, double pressure) const override;
+    energy_of_pressure(double true_density, double pressure) const override;
     double
     reference_density() const override;
     std::string
@@ -30,6 +30,6 @@ namespace whipple
 
   private:
     double exponent_minus_1;
-    double gamma0;
+    double reference_density_;
   };
 } // namespace whipple

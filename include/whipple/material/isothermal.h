@@ -16,16 +16,16 @@ namespace whipple
     explicit IsothermalEquationOfState(std::shared_ptr<const EquationOfState> law);
 
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const override;
     void
-    derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double> energy, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const override;
 
     /// 0 where P_s(gamma, 0) is the pressure asked for to 1e-12 of the reference bulk modulus.
     /// @throws StateError elsewhere: the energy cannot set the pressure.
     double
-    energy_of_pressure(double gamma, double pressure) const override;
+    energy_of_pressure(double true_density, double pressure) const override;
     double
     reference_density() const override;
     double

@@ -66,12 +66,12 @@ namespace whipple
   /// expansion. Both branches are computed and the right one taken, so that loops over it vectorise.
   template <class Hugoniot>
   inline ReferenceCurve
-  reference_curve(const Hugoniot &hugoniot, double gamma_over_gamma0, double v, double grueneisen)
+  reference_curve(const Hugoniot &hugoniot, double compression, double v, double grueneisen)
   {
     const double chi         = std::max(1. - v, 0.);
     const double steepening  = 1. / (1. - hugoniot.steepness(chi) * chi);
     const double steepening2 = steepening * steepening;
-    const double mu          = std::min(gamma_over_gamma0 - 1., 0.);
+    const double mu          = std::min(compression - 1., 0.);
     const double mu2         = mu * mu;
 
     const double compressed_slope =

@@ -26,13 +26,13 @@ namespace whipple
     SolidLiquidVapour();
 
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const override;
     void
-    derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double> energy, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const override;
     double
-    energy_of_pressure(double gamma, double pressure) const override;
+    energy_of_pressure(double true_density, double pressure) const override;
     double
     reference_density() const override;
 
@@ -71,22 +71,22 @@ namespace whipple
 
     /// Whether material that is not in tension is solid, given the temperature it would have as a solid.
     bool
-    below_solidus(double gamma, double energy, double temperature) const;
+    below_solidus(double true_density, double energy, double temperature) const;
     Phase
-    phase(double gamma, double energy) const;
+    phase(double true_density, double energy) const;
     Value
-    value(double gamma, double energy) const;
+    value(double true_density, double energy) const;
     Thermal
-    thermal(double gamma, double energy) const;
+    thermal(double true_density, double energy) const;
     double
-    melt_temperature(double gamma) const;
+    melt_temperature(double true_density) const;
 
     aluminium_phases::Melting::Mixture
-    melting_mixture(double gamma, double energy) const;
+    melting_mixture(double true_density, double energy) const;
 
     /// Adds the tension that condensed material bears below the release line.
     void
-    add_tension(double gamma, double energy, Value &value) const;
+    add_tension(double true_density, double energy, Value &value) const;
 
     aluminium_phases::Melting     melting;
     aluminium_phases::Boiling     boiling;

@@ -26,14 +26,14 @@ namespace whipple
     explicit Tabulated(const EquationOfStateTable &table);
 
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const override;
     void
-    derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double> energy, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const override;
     /// Where several energies have that pressure, the one nearest to that of the state at rest.
     double
-    energy_of_pressure(double gamma, double pressure) const override;
+    energy_of_pressure(double true_density, double pressure) const override;
     double
     reference_density() const override;
 
@@ -78,11 +78,11 @@ namespace whipple
 
     /// @param hint cell that is tried first, and the one found.
     State
-    state(double gamma, double energy, BicubicTable::Cell &hint) const;
+    state(double true_density, double energy, BicubicTable::Cell &hint) const;
 
     /// Bilinear value of an array over (density, heat), level outside.
     double
-    bilinear(const std::vector<double> &values, double gamma, double heat) const;
+    bilinear(const std::vector<double> &values, double true_density, double heat) const;
 
     EquationOfStateTable        table_;
     PiecewiseCubic              lowest_energy_;

@@ -41,15 +41,15 @@ namespace whipple
     explicit Tillotson(const Constants &constants);
 
     void
-    evaluate(std::span<const double> gamma, std::span<const double> energy, std::span<double> pressure,
+    evaluate(std::span<const double> true_density, std::span<const double> energy, std::span<double> pressure,
              std::span<double> sound_speed_squared) const override;
     void
-    derivatives(std::span<const double> gamma, std::span<const double> energy, std::span<double> dp_dgamma,
+    derivatives(std::span<const double> true_density, std::span<const double> energy, std::span<double> dp_ddensity,
                 std::span<double> dp_de) const override;
 
     /// Where P is not monotone in e (the joint of E_iv ... E_cv in some materials), one of the solutions.
     double
-    energy_of_pressure(double gamma, double pressure) const override;
+    energy_of_pressure(double true_density, double pressure) const override;
     double
     reference_density() const override;
     std::string
@@ -58,23 +58,23 @@ namespace whipple
   private:
     struct Value
     {
-      double pressure, dp_dgamma, dp_de;
+      double pressure, dp_ddensity, dp_de;
     };
 
     /// P1: no exponentials, for vector loops.
     Value
-    condensed(double gamma, double energy) const;
+    condensed(double true_density, double energy) const;
 
     /// Whether vapour has a share in the pressure.
     bool
-    has_vapour(double gamma, double energy) const
+    has_vapour(double true_density, double energy) const
     {
-      return gamma < constants.reference_density && energy > constants.incipient_vaporisation_energy;
+      return true_density < constants.reference_density && energy > constants.incipient_vaporisation_energy;
     }
 
     /// (1 - S) P1 + S P2.
     Value
-    expanded(double gamma, double energy) const;
+    expanded(double true_density, double energy) const;
 
     Constants constants;
   };

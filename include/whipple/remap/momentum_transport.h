@@ -80,17 +80,17 @@ namespace whipple
 
     /// Flatten a node's slopes until the cells around its receivers can pay its excess out of their heat.
     void
-    flatten_to_what_can_be_paid(const State<dim> &state, int axis, const std::vector<double> &mass_after, Index node);
+    flatten_to_heat_to_spare(const State<dim> &state, int axis, const std::vector<double> &mass_after, Index node);
 
     /// What the kinetic energy of slopes may take from a gram of a material, Mbar cm^3/g.
     static double
-    payable_energy(double energy, double cold_stiffness);
+    heat_to_spare(double energy, double cold_stiffness);
     static double
-    least_payable(const RemapParameters &parameters);
+    least_heat_to_spare(const RemapParameters &parameters);
 
     /// Largest excess a gram of inflow that a node can pay.
     double
-    payable(const State<dim> &state, const std::vector<double> &mass_after, Index receiver) const;
+    largest_excess(const State<dim> &state, const std::vector<double> &mass_after, Index receiver) const;
 
     /// Velocity of what leaves a node up or down the axis through the face at a distance `half` of its cell.
     Vector<dim>
@@ -142,7 +142,7 @@ namespace whipple
     const FlatMesh<dim>  *mesh_;
     const Boundaries<dim> boundaries_;
     const RemapParameters parameters_;
-    const double          least_payable_; ///< an excess below this can always be paid, Mbar cm^3/g
+    const double          least_heat_to_spare_; ///< an excess below this can always be paid, Mbar cm^3/g
 
     const NodeTopology<dim> nodes_;
     DualFlux<dim>           dual_;

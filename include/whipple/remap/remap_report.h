@@ -14,7 +14,7 @@ namespace whipple
     bool second_order = true; ///< limited linear reconstruction; false: donor values
     bool kinetic_loss_to_heat =
         true; ///< kinetic energy lost by the remap heats the material; false: dropped (1993), only booked
-    double flotsam_fraction = 1e-6; ///< a donor that would keep less than this share of its volume gives all
+    double remnant_fraction = 1e-6; ///< a donor that would keep less than this share of its volume gives all
     double advection_limit  = 0.45; ///< largest displacement of a node in a step, in edges of the cells around it
 
     /// [material] c^2 where it is cold and free of pressure, cm^2/us^2; 0 for gases. What is not listed is a gas.
@@ -40,8 +40,8 @@ namespace whipple
     std::array<SideFlux<dim>, 2 * dim> side{};             ///< 2 * axis + {0 lower, 1 upper}
     double                             kinetic_lost   = 0; ///< by mixing momentum, Mbar cm^3
     double                             kinetic_heated = 0; ///< part of kinetic_lost given to internal energy, Mbar cm^3
-    double                             flotsam_mass   = 0; ///< given away by donors left almost empty, g
-    Index                              flotsam_cells  = 0;
+    double                             remnant_mass   = 0; ///< given away by donors left almost empty, g
+    Index                              remnant_cells  = 0;
     double                             compressed     = 0;   ///< volume by which overfull cells were cut back, cm^3
     Index                              cells_compressed = 0; ///< by more than a millionth of the cell
 
@@ -58,8 +58,8 @@ namespace whipple
         }
       kinetic_lost += other.kinetic_lost;
       kinetic_heated += other.kinetic_heated;
-      flotsam_mass += other.flotsam_mass;
-      flotsam_cells += other.flotsam_cells;
+      remnant_mass += other.remnant_mass;
+      remnant_cells += other.remnant_cells;
       compressed += other.compressed;
       cells_compressed += other.cells_compressed;
       return *this;

@@ -49,7 +49,7 @@ namespace whipple
     void
     cut_donor_boxes(const State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &swept);
     void
-    guard_ends(const SweepTopology<dim> &topology) const;
+    check_ends(const SweepTopology<dim> &topology) const;
     void
     limit_donors(const State<dim> &state, const SweepTopology<dim> &topology, RemapReport<dim> &report);
 

@@ -35,8 +35,8 @@ namespace whipple
     /// How the mesh fits what it holds.
     struct Fit
     {
-      bool   serves = true; ///< every cell has the level it needs, and active cells around it, within half the buffer
-      double spare  = 0;    ///< part of the active cells that a mesh no finer than needed would save
+      bool   suffices = true; ///< every cell has the level it needs, and active cells around it, within half the buffer
+      double spare    = 0;    ///< part of the active cells that a mesh no finer than needed would save
     };
 
     /// Reads domain.derived. Collective. A regrid costs as much as dozens of steps; this costs less than one.
@@ -52,7 +52,7 @@ namespace whipple
     /// Cells next to the edge of the active region (and their neighbours): no material may be in them when a step
     /// begins, or it could leave the region.
     static std::vector<Index>
-    guard_cells(const FlatMesh<dim> &mesh);
+    edge_cells(const FlatMesh<dim> &mesh);
 
   private:
     /// Ask for what every owned cell needs.

@@ -88,7 +88,7 @@ namespace whipple
     bool
     regrid_is_due();
     bool
-    guard_touched() const;
+    edge_touched() const;
     /// The largest stable time step of the state as it is, into limit_.
     void
     find_limit();
@@ -125,7 +125,7 @@ namespace whipple
 
     // what belongs to the present mesh
     std::unique_ptr<Cycle<dim>> cycle_;
-    std::vector<Index>          guard_;
+    std::vector<Index>          edge_cells_;
     std::vector<Index>          locked_;    ///< owned elements that keep their shape, ascending
     long                        cells_ = 0; ///< active cells of all ranks
 
