@@ -134,6 +134,7 @@ set(WHIPPLE_FLAT
     source/remap/momentum_slopes.cc
     source/remap/momentum_transport.cc
     source/remap/node_topology.cc
+    source/remap/remap_sums.cc
     source/remap/sweep_topology.cc
     source/remap/swept_volume.cc
     source/remap/volume_flux.cc
@@ -152,6 +153,7 @@ set(WHIPPLE_FLAT
     source/scene/stage_end.cc
     source/scene/triangulation.cc
     source/scene/units.cc
+    source/state/bookings.cc
     source/state/corner_velocity.cc
     source/state/packet_layout.cc
     source/state/velocity_gather.cc

@@ -46,10 +46,17 @@ namespace whipple
       return result;
     }
 
+    /// Sums over the fragments that are made rigid.
+    struct Sums
+    {
+      Index     released     = 0;
+      double    kinetic_loss = 0;
+      Vector<2> wall_impulse{};
+    };
+
     /// Give all corners of a cell one velocity; its kinetic energy of relative motion heats it.
     void
-    make_rigid(const FlatMesh<2> &mesh, State<2> &state, Index c, const std::array<bool, 2> &held,
-               ReleaseReport<2> &report)
+    make_rigid(const FlatMesh<2> &mesh, State<2> &state, Index c, const std::array<bool, 2> &held, Sums &sums)
     {
       double mass = 0, before = 0, after = 0;
       for (const MaterialState &m : state.material)
@@ -65,7 +72,7 @@ namespace whipple
             }
           const double mean = held[d] ? 0. : momentum / mass;
           if (held[d])
-            report.wall_impulse[d] += momentum;
+            sums.wall_impulse[d] += momentum;
           after += 0.5 * mass * mean * mean;
           for (int k = 0; k < 4; ++k)
             state.velocity[d][mesh.cell_node[4 * c + k]] = mean;
@@ -73,18 +80,19 @@ namespace whipple
       for (MaterialState &m : state.material)
         if (m.mass[c] > 0)
           m.energy[c] += (before - after) / mass;
-      report.kinetic_loss += before - after;
-      ++report.released;
+      sums.kinetic_loss += before - after;
+      ++sums.released;
     }
   } // namespace
 
   template <int dim>
-  ReleaseReport<dim>
+  Released<dim>
   release_fragments(const FlatMesh<dim> &mesh, const RigidWalls<dim> &walls, State<dim> &state, double dt,
                     std::span<const Index> forced, double least_jacobian)
   {
     static_assert(dim == 2);
-    ReleaseReport<dim> report;
+    Released<dim> result;
+    Sums          sums;
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
         if (mesh.intact[c] && cell_shape::shares_nodes(mesh, c))
@@ -94,13 +102,16 @@ namespace whipple
         const bool           locked = std::binary_search(forced.begin(), forced.end(), c);
         const bool           stop   = locked || cell_shape::folds(next, least_jacobian);
         if (met.passes || (stop && !met.rigid))
-          make_rigid(mesh, state, c, met.held, report);
+          make_rigid(mesh, state, c, met.held, sums);
         if (met.passes || locked)
-          report.rigid.push_back({c, met.held});
+          result.rigid.push_back({c, met.held});
       }
-    return report;
+    result.number                          = sums.released;
+    result.booking                         = lost_kinetic_energy<dim>(sums.kinetic_loss, KineticLoss::heat);
+    result.booking.left.emplace().momentum = sums.wall_impulse;
+    return result;
   }
 
-  template ReleaseReport<2>
+  template Released<2>
   release_fragments(const FlatMesh<2> &, const RigidWalls<2> &, State<2> &, double, std::span<const Index>, double);
 } // namespace whipple

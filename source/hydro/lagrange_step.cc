@@ -2,6 +2,7 @@
 
 #include <whipple/error.h>
 #include <whipple/hydro/lagrange_step.h>
+#include <whipple/state/conversion.h>
 
 #include <algorithm>
 
@@ -9,6 +10,11 @@ namespace whipple
 {
   namespace
   {
+    const char *const viscous = "viscous work", *const hourglass = "hourglass work", *const plastic = "plastic work";
+    const ConversionRegistration registrations[] = {{10, viscous, ConversionRegistry::Listed::each_step},
+                                                    {20, hourglass, ConversionRegistry::Listed::each_step},
+                                                    {30, plastic, ConversionRegistry::Listed::each_step}};
+
     /// Cell across subface `half` of one side of a cell, as StepWork::Neighbours has it.
     template <int dim>
     Index
@@ -235,7 +241,23 @@ namespace whipple
   }
 
   template <int dim>
-  LagrangeReport<dim>
+  Bookings<dim>
+  LagrangeSums<dim>::bookings() const
+  {
+    Bookings<dim> result;
+    result.convert(viscous, viscous_work);
+    result.convert(hourglass, hourglass_work);
+    result.convert(plastic, plastic_work);
+    ConservedTotals<dim> given; // to the sides: minus what they gave
+    given.kinetic_energy -= boundary_work;
+    for (int d = 0; d < dim; ++d)
+      given.momentum[d] -= boundary_momentum[d];
+    result.leave("sides of the domain", given);
+    return result;
+  }
+
+  template <int dim>
+  LagrangeSums<dim>
   LagrangeStep<dim>::advance(State<dim> &state, const Derived &derived, double dt,
                              std::span<const RigidFragment<dim>> rigid)
   {
@@ -256,5 +278,6 @@ namespace whipple
 
   template void
   initialise_geometry<2>(const FlatMesh<2> &, State<2> &);
+  template struct LagrangeSums<2>;
   template class LagrangeStep<2>;
 } // namespace whipple

@@ -241,7 +241,7 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
                const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state)
   {
@@ -287,7 +287,7 @@ namespace whipple
 
   template void
   request_bodies(const Scene<2> &, const LevelNeed<2> *, std::span<const std::size_t>, RefinementMap<2> &);
-  template GatherReport<2>
+  template Booking<2>
   paint_bodies(const Scene<2> &, const FieldLayout &, std::span<const std::size_t>, const FlatMesh<2> &, MPI_Comm,
                State<2> &);
 } // namespace whipple

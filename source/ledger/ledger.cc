@@ -23,47 +23,51 @@ namespace whipple
 
   template <int dim>
   void
-  Ledger<dim>::leave(const ConservedTotals<dim> &amounts)
+  Ledger<dim>::enter(const std::string &cause, const Booking<dim> &booking)
   {
-    books_.left += amounts;
+    Booking<dim> happened = booking;
+    if (happened.event && happened.event->number == 0)
+      happened.event.reset();
+    if (happened.left)
+      books_.left += *happened.left;
+    if (happened.left || happened.dropped || happened.converted || happened.event)
+      books_.bookings.enter(cause, happened);
   }
 
   template <int dim>
   void
-  Ledger<dim>::drop(const std::string &reason, const ConservedTotals<dim> &amounts)
+  Ledger<dim>::enter(const Bookings<dim> &bookings)
   {
-    books_.dropped[reason] += amounts;
+    for (const auto &[cause, booking] : bookings.by_cause())
+      enter(cause, booking);
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::leave(const std::string &cause, const ConservedTotals<dim> &amounts)
+  {
+    enter(cause, {.left = amounts});
+  }
+
+  template <int dim>
+  void
+  Ledger<dim>::drop(const std::string &cause, const ConservedTotals<dim> &amounts)
+  {
+    enter(cause, {.dropped = amounts});
   }
 
   template <int dim>
   void
   Ledger<dim>::convert(const std::string &cause, double energy)
   {
-    books_.conversions[cause] += energy;
+    enter(cause, {.converted = energy});
   }
 
   template <int dim>
   void
-  Ledger<dim>::note(const std::string &what, double number, double size, const std::string &unit)
+  Ledger<dim>::note(const std::string &cause, double number, double size, const std::string &unit)
   {
-    if (number == 0)
-      return;
-    Event &event = books_.events[what];
-    event.number += number;
-    event.size += size;
-    event.unit = unit;
-  }
-
-  template <int dim>
-  void
-  Ledger<dim>::lose_kinetic(const std::string &cause, double energy, KineticLoss loss)
-  {
-    convert(cause, energy);
-    if (loss != KineticLoss::drop)
-      return;
-    ConservedTotals<dim> lost;
-    lost.kinetic_energy = energy;
-    drop(cause, lost);
+    enter(cause, {.event = Event{number, size, unit}});
   }
 
   template <int dim>
@@ -71,8 +75,9 @@ namespace whipple
   Ledger<dim>::gone() const
   {
     ConservedTotals<dim> sum = books_.left;
-    for (const auto &[reason, amounts] : books_.dropped)
-      sum += amounts;
+    for (const auto &[cause, booking] : books_.bookings.by_cause())
+      if (booking.dropped)
+        sum += *booking.dropped;
     return sum;
   }
 
@@ -112,16 +117,6 @@ namespace whipple
     result.axial_momentum = std::abs(result.axial_momentum);
     result.energy         = std::abs(result.energy);
     return result;
-  }
-
-  template <int dim>
-  void
-  Ledger<dim>::gathered(const std::string &cause, const GatherReport<dim> &report, KineticLoss loss)
-  {
-    lose_kinetic(cause, report.kinetic_loss, loss);
-    ConservedTotals<dim> walls;
-    walls.momentum = report.wall_impulse;
-    leave(walls);
   }
 
   template <int dim>

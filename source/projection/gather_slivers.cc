@@ -27,11 +27,11 @@ namespace whipple::projection
     }
   } // namespace
 
-  SliverReport
+  Event
   gather_slivers(MPI_Comm communicator, const FlatMesh<2> &mesh, const Halo<2> &halo, const State<2> &state,
                  double share, Laid &laid)
   {
-    SliverReport        report;
+    Event               joined{0, 0, "g"};
     LaidTransfer        transfer(mesh, halo, laid);
     std::vector<double> solid(mesh.n_cells);
     std::vector<Index>  to(mesh.n_cells);
@@ -54,8 +54,8 @@ namespace whipple::projection
         MPI_Allreduce(MPI_IN_PLACE, given.data(), 2, MPI_DOUBLE, MPI_SUM, communicator);
         if (given[0] == 0)
           break;
-        report.cells += given[0];
-        report.mass += given[1];
+        joined.number += given[0];
+        joined.size += given[1];
         transfer.begin();
         for (Index c = 0; c < mesh.n_cells; ++c)
           if (to[c] != none)
@@ -72,6 +72,6 @@ namespace whipple::projection
           }
         transfer.exchange();
       }
-    return report;
+    return joined;
   }
 } // namespace whipple::projection

@@ -66,10 +66,10 @@ namespace whipple::projection
         std::array<double, 2> found = weigh();
         if (found[0] == 0)
           return report;
-        report.cells  = found[0];
-        report.volume = found[1];
-        report.depth  = depth();
-        double pores  = 0;
+        report.moved.number = found[0];
+        report.moved.size   = found[1];
+        report.depth        = depth();
+        double pores        = 0;
         for (; found[0] > 0; found = weigh())
           {
             if (++report.rounds > most_rounds)

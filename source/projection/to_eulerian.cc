@@ -3,7 +3,9 @@
 
 #include <whipple/error.h>
 #include <whipple/projection/deposit.h>
+#include <whipple/state/velocity_gather.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -13,18 +15,6 @@ namespace whipple
   namespace
   {
     using namespace projection;
-
-    /// Add up over the ranks what each has counted over its owned cells.
-    void
-    sum_over_ranks(MPI_Comm communicator, std::vector<double *> values)
-    {
-      std::vector<double> buffer;
-      for (const double *value : values)
-        buffer.push_back(*value);
-      MPI_Allreduce(MPI_IN_PLACE, buffer.data(), static_cast<int>(buffer.size()), MPI_DOUBLE, MPI_SUM, communicator);
-      for (std::size_t i = 0; i < values.size(); ++i)
-        *values[i] = buffer[i];
-    }
 
     void
     check_covered(double elements, double left, double laid_down)
@@ -40,48 +30,54 @@ namespace whipple
   } // namespace
 
   template <>
-  ToEulerianReport<2>
+  LaidDown<2>
   to_eulerian<2>(MPI_Comm communicator, const Lattice<2> &lattice, const CellPacketLayout<2> &layout,
                  const std::vector<Element<2>> &elements, Representation representation, const FlatMesh<2> &mesh,
                  const Halo<2> &halo, const LayDownLimits &limits, const Boundaries<2> &boundaries, KineticLoss loss,
                  State<2> &state)
   {
-    ToEulerianReport<2> report;
-    Deposit             deposit(lattice, layout, mesh, state);
-    for (const Element<2> &element : elements)
+    LaidDown<2>        result;
+    ConservedTotals<2> left;
+    double             folded = 0, mirrored = 0;
+    Deposit            deposit(lattice, layout, mesh, state);
+    for (const Element<2> &element : elements) // of all ranks: what is counted here is the same on all
       {
         const ElementPieces pieces = pieces_of(lattice.symmetry, layout, element, representation);
         deposit.lay_down(element, pieces);
-        report.elements += totals_of<2>(layout, element);
-        report.left_domain += beyond_domain(lattice, layout, element, pieces);
-        report.folded_elements += pieces.folded;
-        report.mirrored_corners += pieces.mirrored_corners;
+        result.elements += totals_of<2>(layout, element);
+        left += beyond_domain(lattice, layout, element, pieces);
+        folded += pieces.folded;
+        mirrored += pieces.mirrored_corners;
       }
+    result.bookings.leave(laid_down::beyond, left);
+    result.bookings.note(laid_down::folded, folded, 1., "times");
+    result.bookings.note(laid_down::mirrored, mirrored, 1., "times");
 
-    double laid_down = deposit.owned_mass();
-    report.spread    = spread_excess(communicator, mesh, halo, state, limits.closed, deposit.laid());
+    const double       found  = deposit.owned_mass();
+    const SpreadReport spread = spread_excess(communicator, mesh, halo, state, limits.closed, deposit.laid());
+    result.bookings.enter(laid_down::spread, {.event = spread.moved});
     if (limits.sliver > 0)
-      report.slivers = gather_slivers(communicator, mesh, halo, state, limits.sliver, deposit.laid());
+      result.bookings.enter(laid_down::slivers,
+                            {.event = gather_slivers(communicator, mesh, halo, state, limits.sliver, deposit.laid())});
 
     const CornerVelocities<2> corners = deposit.finish();
+    std::array<double, 3>     sums{found, 0., 0.};
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
         const Squeeze squeeze = squeeze_overfull<2>(state, cell);
         if (cell < mesh.n_owned)
           {
-            report.pores_squeezed += squeeze.pores;
-            report.solid_compressed += squeeze.solid;
+            sums[1] += squeeze.pores;
+            sums[2] += squeeze.solid;
           }
       }
-    const GatherReport<2> gathered = gather_velocities<2>(mesh, boundaries, corners, loss, state);
-    report.kinetic_loss            = gathered.kinetic_loss;
-    report.wall_impulse            = gathered.wall_impulse;
-
-    sum_over_ranks(communicator, {&report.kinetic_loss, &report.pores_squeezed, &report.solid_compressed,
-                                  &report.wall_impulse[0], &report.wall_impulse[1], &laid_down});
-    report.pores_squeezed += report.spread.pores_squeezed;
-    check_covered(report.elements.mass, report.left_domain.mass, laid_down);
-    return report;
+    result.bookings.enter(laid_down::projection,
+                          sum_over_ranks(gather_velocities<2>(mesh, boundaries, corners, loss, state), communicator));
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, communicator);
+    result.pores_squeezed   = sums[1] + spread.pores_squeezed;
+    result.solid_compressed = sums[2];
+    check_covered(result.elements.mass, left.mass, sums[0]);
+    return result;
   }
 
   template <>

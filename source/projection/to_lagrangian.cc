@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/projection/to_lagrangian.h>
+#include <whipple/state/velocity_gather.h>
 
 #include <whipple/error.h>
 #include <whipple/projection/cell_totals.h>
@@ -117,7 +118,7 @@ namespace whipple
   State<dim>
   to_lagrangian(const FlatMesh<dim> &cells, const State<dim> &eulerian, const FlatMesh<dim> &elements,
                 const Boundaries<dim> &boundaries, KineticLoss loss, std::span<const std::string> names,
-                ToLagrangianReport<dim> &report)
+                TakenUp<dim> &taken_up)
   {
     constexpr int                      corners = 1 << dim;
     std::unordered_map<CellKey, Index> cell_of_key;
@@ -154,15 +155,13 @@ namespace whipple
         target.kinetic_remainder[element] = source.kinetic_remainder[cell];
       }
 
-    report.before                    = owned_totals(elements, state, target);
-    const GatherReport<dim> gathered = gather_velocities<dim>(elements, boundaries, target, loss, state);
-    report.after                     = owned_totals(elements, state, corner_velocities<dim>(elements, state));
-    report.kinetic_loss              = gathered.kinetic_loss;
-    report.wall_impulse              = gathered.wall_impulse;
+    taken_up.before  = owned_totals(elements, state, target);
+    taken_up.booking = gather_velocities<dim>(elements, boundaries, target, loss, state);
+    taken_up.after   = owned_totals(elements, state, corner_velocities<dim>(elements, state));
     return state;
   }
 
   template State<2>
   to_lagrangian<2>(const FlatMesh<2> &, const State<2> &, const FlatMesh<2> &, const Boundaries<2> &, KineticLoss,
-                   std::span<const std::string>, ToLagrangianReport<2> &);
+                   std::span<const std::string>, TakenUp<2> &);
 } // namespace whipple

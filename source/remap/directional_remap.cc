@@ -53,7 +53,7 @@ namespace whipple
     /// Cut materials that hold more than their cell back to its volume, at constant mass.
     template <int dim>
     void
-    compress_overfull(State<dim> &state, const Index n_owned, RemapReport<dim> &report)
+    compress_overfull(State<dim> &state, const Index n_owned, RemapSums<dim> &report)
     {
       for (Index c = 0; c < state.n_cells(); ++c)
         {
@@ -128,10 +128,10 @@ namespace whipple
   }
 
   template <int dim>
-  RemapReport<dim>
+  RemapSums<dim>
   DirectionalRemap<dim>::sweep(State<dim> &state, const int axis)
   {
-    RemapReport<dim>          report;
+    RemapSums<dim>            report;
     const SweepTopology<dim> &topology = topology_[axis];
     volume_flux_.compute(state, topology, swept_[axis], report);
     sum_masses(state, mass_before_);

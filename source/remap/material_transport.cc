@@ -201,7 +201,7 @@ namespace whipple
   void
   MaterialTransport<dim>::move(MaterialState &material, const Index m, const VolumeFlux<dim> &volume_flux,
                                const SweepTopology<dim> &topology, const int odd_field, std::vector<double> &mass_flux,
-                               RemapReport<dim> &report)
+                               RemapSums<dim> &report)
   {
     const std::vector<double> &flux = volume_flux.flux[m];
     collect_faces(material, m, volume_flux, topology);
@@ -241,7 +241,7 @@ namespace whipple
 
   template <int dim>
   void
-  MaterialTransport<dim>::book_boundaries(const SweepTopology<dim> &topology, RemapReport<dim> &report) const
+  MaterialTransport<dim>::book_boundaries(const SweepTopology<dim> &topology, RemapSums<dim> &report) const
   {
     const FlatFaces<dim> &faces = *topology.faces;
     for (const Index f : topology.boundary_faces)

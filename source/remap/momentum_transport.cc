@@ -292,7 +292,7 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::constrain(const Index node, const double time, Change &change, RemapReport<dim> &report) const
+  MomentumTransport<dim>::constrain(const Index node, const double time, Change &change, RemapSums<dim> &report) const
   {
     Vector<dim> x;
     for (int d = 0; d < dim; ++d)
@@ -315,7 +315,7 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::update_nodes(State<dim> &state, const int axis, RemapReport<dim> &report)
+  MomentumTransport<dim>::update_nodes(State<dim> &state, const int axis, RemapSums<dim> &report)
   {
     std::size_t next_drained = 0; // drained_ is in the order of the nodes
     for (Index n = 0; n < mesh_->n_nodes; ++n)
@@ -359,7 +359,7 @@ namespace whipple
   template <int dim>
   void
   MomentumTransport<dim>::book_boundaries(const State<dim> &state, const SweepTopology<dim> &topology,
-                                          const std::vector<double> &mass_flux, RemapReport<dim> &report) const
+                                          const std::vector<double> &mass_flux, RemapSums<dim> &report) const
   {
     const FlatFaces<dim> &faces = *topology.faces;
     for (const Index f : topology.boundary_faces)
@@ -398,7 +398,7 @@ namespace whipple
   template <int dim>
   void
   MomentumTransport<dim>::heat_cells(State<dim> &state, const std::vector<double> &mass_after,
-                                     RemapReport<dim> &report) const
+                                     RemapSums<dim> &report) const
   {
     for (Index c = 0; c < mesh_->n_cells; ++c)
       {
@@ -419,7 +419,7 @@ namespace whipple
   void
   MomentumTransport<dim>::move(State<dim> &state, const SweepTopology<dim> &topology,
                                const std::vector<double> &mass_flux, const std::vector<double> &mass_before,
-                               const std::vector<double> &mass_after, RemapReport<dim> &report)
+                               const std::vector<double> &mass_after, RemapSums<dim> &report)
   {
     dual_.compute(state, topology, mass_flux, mass_before, mass_after);
     upwind_velocities(state, topology.axis, mass_after);

@@ -207,7 +207,7 @@ namespace whipple
 
   template <int dim>
   void
-  VolumeFlux<dim>::limit_donors(const State<dim> &state, const SweepTopology<dim> &topology, RemapReport<dim> &report)
+  VolumeFlux<dim>::limit_donors(const State<dim> &state, const SweepTopology<dim> &topology, RemapSums<dim> &report)
   {
     const Index n_materials = static_cast<Index>(state.material.size());
     for (const Index c : mixed_cells_)
@@ -267,7 +267,7 @@ namespace whipple
   template <int dim>
   void
   VolumeFlux<dim>::compute(const State<dim> &state, const SweepTopology<dim> &topology,
-                           const std::vector<double> &swept, RemapReport<dim> &report)
+                           const std::vector<double> &swept, RemapSums<dim> &report)
   {
     const std::size_t n_materials = state.material.size();
     flux.resize(n_materials);

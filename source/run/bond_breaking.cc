@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/collective.h>
 #include <whipple/run/bond_breaking.h>
+#include <whipple/state/velocity_gather.h>
 
 namespace whipple
 {
@@ -24,21 +25,20 @@ namespace whipple
 
     /// Keep only these cells bonded.
     template <int dim>
-    BreakReport<dim>
+    long
     keep_intact(std::vector<std::uint8_t> intact, const Boundaries<dim> &boundaries, KineticLoss loss,
-                Domain<dim> &domain)
+                Domain<dim> &domain, Bookings<dim> &bookings)
     {
       const FlatMesh<dim> &before = domain.view->mesh;
-      BreakReport<dim>     report;
       long                 broken = 0;
       for (Index c = 0; c < before.n_owned; ++c)
         {
           broken += before.intact[c] && !intact[c];
           intact[c] = intact[c] && before.intact[c];
         }
-      report.broken = static_cast<long>(sum_over_ranks(static_cast<double>(broken), domain.communicator()));
-      if (report.broken == 0)
-        return report;
+      broken = static_cast<long>(sum_over_ranks(static_cast<double>(broken), domain.communicator()));
+      if (broken == 0)
+        return 0;
 
       auto                  view    = rebonded(domain, intact);
       State<dim>           &state   = domain.state;
@@ -53,32 +53,34 @@ namespace whipple
           state.velocity[d].assign(view->mesh.n_nodes, 0.);
         }
       state.node_mass.assign(view->mesh.n_nodes, 0.);
-      report.gathered =
-          sum_over_ranks(gather_velocities(view->mesh, boundaries, corners, loss, state), domain.communicator());
+      bookings.enter("broken bonds", sum_over_ranks(gather_velocities(view->mesh, boundaries, corners, loss, state),
+                                                    domain.communicator()));
       domain.view = std::move(view);
-      return report;
+      return broken;
     }
   } // namespace
 
   template <int dim>
-  BreakReport<dim>
-  free_cells(std::span<const Index> freed, const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain)
+  long
+  free_cells(std::span<const Index> freed, const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain,
+             Bookings<dim> &bookings)
   {
     std::vector<std::uint8_t> intact(domain.view->mesh.n_owned, 1);
     for (const Index c : freed)
       intact[c] = 0;
-    return keep_intact(std::move(intact), boundaries, loss, domain);
+    return keep_intact(std::move(intact), boundaries, loss, domain, bookings);
   }
 
   template <int dim>
-  BreakReport<dim>
-  break_bonds(const BreakCriteria &criteria, const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain)
+  long
+  break_bonds(const BreakCriteria &criteria, const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain,
+              Bookings<dim> &bookings)
   {
-    return keep_intact(intact_cells(domain.view->mesh, domain.state, criteria), boundaries, loss, domain);
+    return keep_intact(intact_cells(domain.view->mesh, domain.state, criteria), boundaries, loss, domain, bookings);
   }
 
-  template BreakReport<2>
-  free_cells(std::span<const Index>, const Boundaries<2> &, KineticLoss, Domain<2> &);
-  template BreakReport<2>
-  break_bonds(const BreakCriteria &, const Boundaries<2> &, KineticLoss, Domain<2> &);
+  template long
+  free_cells(std::span<const Index>, const Boundaries<2> &, KineticLoss, Domain<2> &, Bookings<2> &);
+  template long
+  break_bonds(const BreakCriteria &, const Boundaries<2> &, KineticLoss, Domain<2> &, Bookings<2> &);
 } // namespace whipple

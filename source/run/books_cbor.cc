@@ -83,6 +83,15 @@ namespace nlohmann
   };
 
   template <>
+  struct adl_serializer<whipple::Bookings<2>>
+  {
+    static void
+    to_json(json &j, const whipple::Bookings<2> &bookings);
+    static void
+    from_json(const json &j, whipple::Bookings<2> &bookings);
+  };
+
+  template <>
   struct adl_serializer<whipple::Ledger<2>>
   {
     static void
@@ -106,12 +115,14 @@ namespace whipple
   } // namespace summary
 
   using Amounts       = ConservedTotals<2>;
+  using OneBooking    = Booking<2>;
   using LedgerBooks   = Ledger<2>::Books;
   using LedgerClosure = Ledger<2>::Closure;
   using Books         = RunBooks<2>;
 
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Amounts, mass, momentum, internal_energy, kinetic_energy)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OneBooking, left, dropped, converted, event)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldSeries, count, grids)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReportProgress, next_fields, next_statistics, fields, statistics_bytes,
                                      table_bytes, events_warned)
@@ -128,9 +139,7 @@ namespace whipple
       return {{"introduced", books.introduced},
               {"momentum_scale", books.momentum_scale},
               {"left", books.left},
-              {"dropped", books.dropped},
-              {"conversions", books.conversions},
-              {"events", books.events},
+              {"bookings", books.bookings},
               {"last", {books.last.mass, books.last.axial_momentum, books.last.energy}}};
     }
 
@@ -141,9 +150,7 @@ namespace whipple
       j.at("introduced").get_to(books.introduced);
       j.at("momentum_scale").get_to(books.momentum_scale);
       j.at("left").get_to(books.left);
-      j.at("dropped").get_to(books.dropped);
-      j.at("conversions").get_to(books.conversions);
-      j.at("events").get_to(books.events);
+      j.at("bookings").get_to(books.bookings);
       books.last = LedgerClosure{j.at("last").at(0), j.at("last").at(1), j.at("last").at(2)};
       return books;
     }
@@ -171,6 +178,17 @@ namespace whipple
 
 namespace nlohmann
 {
+  void
+  adl_serializer<whipple::Bookings<2>>::to_json(json &j, const whipple::Bookings<2> &bookings)
+  {
+    j = bookings.by_cause();
+  }
+  void
+  adl_serializer<whipple::Bookings<2>>::from_json(const json &j, whipple::Bookings<2> &bookings)
+  {
+    for (const auto &[cause, booking] : j.get<std::map<std::string, whipple::Booking<2>>>())
+      bookings.enter(cause, booking);
+  }
   void
   adl_serializer<whipple::Ledger<2>>::to_json(json &j, const whipple::Ledger<2> &ledger)
   {

@@ -241,7 +241,7 @@ namespace whipple
     };
 
     /// Let the elements of clusters move as one.
-    GatherReport<2>
+    Booking<2>
     apply(const Clusters &clusters, const Boundaries<2> &boundaries, KineticLoss loss, Domain<2> &domain)
     {
       const FlatMesh<2>  &mesh    = domain.view->mesh;
@@ -258,21 +258,21 @@ namespace whipple
           corners.kinetic_remainder[c] = motion.heat;
         }
       exchange_corners(domain.view->halo, corners);
-      GatherReport<2> report =
+      Booking<2> booking =
           sum_over_ranks(gather_velocities(mesh, boundaries, corners, loss, state), domain.communicator());
       for (int d = 0; d < 2; ++d)
-        report.wall_impulse[d] += clusters.impulse()[d];
+        booking.left->momentum[d] += clusters.impulse()[d];
       domain.view->halo.exchange({}, std::vector<std::vector<double> *>{&state.velocity[0], &state.velocity[1]});
       std::vector<std::vector<double> *> energies;
       for (MaterialState &m : state.material)
         energies.push_back(&m.energy);
       domain.view->halo.exchange(energies, {});
-      return report;
+      return booking;
     }
   } // namespace
 
   template <int dim>
-  ContactReport<dim>
+  ContactLook<dim>
   join_contacts(const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain)
   {
     const MPI_Comm           communicator = domain.communicator();
@@ -280,21 +280,26 @@ namespace whipple
     const contact::Found     found        = contact::search(communicator, pieces);
     std::array<long, 3> counts{static_cast<long>(pieces.size()), found.deep, static_cast<long>(found.pairs.size())};
     MPI_Allreduce(MPI_IN_PLACE, counts.data(), 3, MPI_LONG, MPI_SUM, communicator);
-    ContactReport<dim> report;
-    report.elements     = counts[0];
-    report.deep         = counts[1];
-    report.time_to_next = -max_over_ranks(-found.time_to_next, communicator);
+    ContactLook<dim> look;
+    look.elements     = counts[0];
+    look.deep         = counts[1];
+    look.time_to_next = -max_over_ranks(-found.time_to_next, communicator);
     if (counts[2] == 0)
-      return report;
+      return look;
 
     const Clusters clusters(gather_all<Pair>(communicator, found.pairs).entry);
-    report.joined   = clusters.joined();
-    report.clusters = clusters.count();
-    if (report.joined > 0)
-      report.gathered = apply(clusters, boundaries, loss, domain);
-    return report;
+    look.joined   = clusters.joined();
+    look.clusters = clusters.count();
+    if (look.joined > 0)
+      {
+        const Booking<dim> joining = apply(clusters, boundaries, loss, domain);
+        look.bookings.enter("contact", joining);
+        look.bookings.note("overlapping elements that approach each other joined", static_cast<double>(look.joined),
+                           *joining.converted, "Mbar cm^3");
+      }
+    return look;
   }
 
-  template ContactReport<2>
+  template ContactLook<2>
   join_contacts(const Boundaries<2> &, KineticLoss, Domain<2> &);
 } // namespace whipple

@@ -156,14 +156,14 @@ namespace whipple
   Cycle<dim>::advance(State<dim> &state, Derived &derived, double dt, int sweep_first,
                       std::span<const RigidFragment<dim>> rigid, Ledger<dim> &ledger)
   {
-    const MPI_Comm      communicator = halo_.communicator();
-    LagrangeReport<dim> motion;
+    const MPI_Comm    communicator = halo_.communicator();
+    LagrangeSums<dim> motion;
     agree(communicator, [&] {
       motion = lagrange_.advance(state, derived, dt, rigid);
       run_passes(state, derived, dt);
     });
     exchange(state);
-    RemapReport<dim> remap;
+    RemapSums<dim> remap;
     if (remap_)
       {
         remap_->begin(state);
@@ -179,46 +179,9 @@ namespace whipple
     else
       exchange_pressures(derived);
     lagrange_.evaluate_strength(state, derived);
-    book(motion, remap, ledger);
-  }
-
-  template <int dim>
-  void
-  Cycle<dim>::book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const
-  {
-    // what crossed the sides, and the work and impulse the sides gave (so: minus what they took)
-    std::array<double, 3 + dim + 6> sums{};
-    for (const SideFlux<dim> &side : remap.side)
-      {
-        sums[0] += side.mass;
-        sums[1] += side.internal;
-        sums[2] += side.kinetic;
-        for (int d = 0; d < dim; ++d)
-          sums[3 + d] += side.momentum[d];
-      }
-    sums[2] -= motion.boundary_work;
-    for (int d = 0; d < dim; ++d)
-      sums[3 + d] -= motion.boundary_momentum[d];
-    sums[3 + dim] = motion.viscous_work;
-    sums[4 + dim] = motion.hourglass_work;
-    sums[5 + dim] = motion.plastic_work;
-    sums[6 + dim] = remap.kinetic_lost;
-    sums[7 + dim] = remap.cells_compressed;
-    sums[8 + dim] = remap.compressed;
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, halo_.communicator());
-
-    ConservedTotals<dim> left;
-    left.mass            = sums[0];
-    left.internal_energy = sums[1];
-    left.kinetic_energy  = sums[2];
-    for (int d = 0; d < dim; ++d)
-      left.momentum[d] = sums[3 + d];
-    ledger.leave(left);
-    ledger.convert("viscous work", sums[3 + dim]);
-    ledger.convert("hourglass work", sums[4 + dim]);
-    ledger.convert("plastic work", sums[5 + dim]);
-    ledger.note("overfull cells compressed", sums[7 + dim], sums[8 + dim], "cm^3");
-    ledger.lose_kinetic("remap", sums[6 + dim], lost_kinetic_energy_);
+    Bookings<dim> bookings = remap_ ? remap.bookings(lost_kinetic_energy_) : Bookings<dim>{};
+    bookings += motion.bookings();
+    ledger.enter(sum_over_ranks(bookings, communicator));
   }
 
   template class Cycle<2>;

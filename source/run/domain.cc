@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/lagrange_step.h>
-#include <whipple/mesh/collective.h>
 #include <whipple/run/domain.h>
+#include <whipple/state/velocity_gather.h>
 
 namespace whipple
 {
-  template <int dim>
-  GatherReport<dim>
-  sum_over_ranks(GatherReport<dim> report, MPI_Comm communicator)
-  {
-    report.kinetic_loss = sum_over_ranks(report.kinetic_loss, communicator);
-    for (double &impulse : report.wall_impulse)
-      impulse = sum_over_ranks(impulse, communicator);
-    return report;
-  }
-
   template <int dim>
   void
   clear_state(const FieldLayout &layout, Domain<dim> &domain)
@@ -26,7 +16,7 @@ namespace whipple
   }
 
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   unpack_leaves(const FieldLayout &fields, const CellPacketLayout<dim> &layout, const std::vector<CellPacket> &packets,
                 const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain)
   {
@@ -57,10 +47,9 @@ namespace whipple
     halo.exchange(std::vector<std::vector<double> *>{&corners.kinetic_remainder}, {});
   }
 
-  template GatherReport<2> sum_over_ranks(GatherReport<2>, MPI_Comm);
   template void
   clear_state(const FieldLayout &, Domain<2> &);
-  template GatherReport<2>
+  template Booking<2>
   unpack_leaves(const FieldLayout &, const CellPacketLayout<2> &, const std::vector<CellPacket> &,
                 const Boundaries<2> &, KineticLoss, Domain<2> &);
   template void

@@ -10,15 +10,17 @@
 #include <whipple/projection/to_eulerian.h>
 #include <whipple/projection/to_lagrangian.h>
 #include <whipple/run/handover.h>
+#include <whipple/state/conversion.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 namespace whipple
 {
   namespace
   {
+    const ConversionRegistration registration(60, laid_down::projection, ConversionRegistry::Listed::at_end);
+
     /// Bounding box of an element.
     template <int dim>
     std::array<Vector<dim>, 2>
@@ -144,8 +146,7 @@ namespace whipple
       lay_down(stage, 0., domain, ledger);
     else if (!stage.introduces.empty())
       {
-        const KineticLoss loss = stage.lost_kinetic_energy;
-        ledger.gathered("regrid", regridding_.regrid(domain, loss, stage.introduces), loss);
+        ledger.enter(Regridding<dim>::cause, regridding_.regrid(domain, stage.lost_kinetic_energy, stage.introduces));
         paint(stage, domain, ledger);
       }
     if (stage.mode == StageMode::lagrangian)
@@ -192,8 +193,8 @@ namespace whipple
     const FlatMesh<dim>               &mesh   = domain.view->mesh;
     const ConservedTotals<dim>         before = totals(mesh, domain.state, domain.communicator());
     const std::span<const std::size_t> bodies(stage.introduces);
-    const GatherReport<dim>            gathered = sum_over_ranks(
-                   paint_bodies(scene_, layout_, bodies, mesh, domain.communicator(), domain.state), domain.communicator());
+    const Booking<dim>                 painted = sum_over_ranks(
+                        paint_bodies(scene_, layout_, bodies, mesh, domain.communicator(), domain.state), domain.communicator());
     ConservedTotals<dim> entered = totals(mesh, domain.state, domain.communicator());
     entered.mass -= before.mass;
     entered.internal_energy -= before.internal_energy;
@@ -202,7 +203,7 @@ namespace whipple
       entered.momentum[d] -= before.momentum[d];
     ledger.introduce(entered);
     for (int d = 0; d < dim; ++d)
-      entered.momentum[d] += gathered.wall_impulse[d];
+      entered.momentum[d] += painted.left->momentum[d];
     check_entered(scene_, bodies, entered);
   }
 
@@ -237,8 +238,8 @@ namespace whipple
     const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
 
     // where pieces overlap, what does not fit needs room: if the mesh around them has too little, more of it
-    const Ledger<dim>     before = ledger;
-    ToEulerianReport<dim> report;
+    const Ledger<dim> before = ledger;
+    LaidDown<dim>     laid;
     for (int buffer = scene_.mesh.buffer;; buffer *= 2)
       {
         build_around(elements, layout, stage, buffer, domain);
@@ -247,9 +248,9 @@ namespace whipple
         try
           {
             const std::vector<std::uint8_t> edge = edge_flags(*domain.view);
-            report = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation,
-                                 domain.view->mesh, domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
-                                 stage.lost_kinetic_energy, domain.state);
+            laid = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
+                               domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
+                               stage.lost_kinetic_energy, domain.state);
             break;
           }
         catch (const NoRoomError &)
@@ -258,16 +259,7 @@ namespace whipple
               throw;
           }
       }
-    ledger.note("overlapping pieces laid down, solid moved to where there is room", report.spread.cells,
-                report.spread.volume, "cm^3");
-    // every rank knows all elements: these counts are those of all
-    ledger.note("folded elements laid down", static_cast<double>(report.folded_elements), 1., "times");
-    ledger.note("corners beyond the axis laid down as their mirror image", static_cast<double>(report.mirrored_corners),
-                1., "times");
-    ledger.note("slivers joined to a neighbour as all was laid anew", report.slivers.cells, report.slivers.mass, "g");
-    ledger.leave(report.left_domain);
-    ledger.gathered("projection", GatherReport<dim>{report.kinetic_loss, report.wall_impulse},
-                    stage.lost_kinetic_energy);
+    ledger.enter(laid.bookings);
   }
 
   template <int dim>
@@ -286,27 +278,27 @@ namespace whipple
           criteria.plane = extent(scene_.bodies[*stage.debris.behind].shape).upper[1];
       }
     // an element made of a trace would be nothing but void, phi = 1
-    criteria.void_cutoff                                  = std::min(criteria.void_cutoff, 1. - trace::share);
-    const DebrisSelection<dim>                  selection = select_debris(cells, domain.state, criteria);
-    std::map<std::string, ConservedTotals<dim>> dropped; // booked once the elements are there
+    criteria.void_cutoff                 = std::min(criteria.void_cutoff, 1. - trace::share);
+    const DebrisSelection<dim> selection = select_debris(cells, domain.state, criteria);
+    Bookings<dim>              dropped; // booked once the elements are there
     for (const Verdict verdict : {Verdict::void_cutoff, Verdict::not_debris})
-      dropped[std::string(name(verdict))] = cell_sum(
-          cells, domain.state, [&](Index c) { return selection.verdict[c] == verdict; }, communicator);
+      if (const auto amount = cell_sum(
+              cells, domain.state, [&](Index c) { return selection.verdict[c] == verdict; }, communicator);
+          amount.mass > 0)
+        dropped.drop(std::string(name(verdict)), amount);
 
     std::vector<std::uint8_t> active(domain.forest.leaves().size(), 0);
     for (Index c = 0; c < cells.n_owned; ++c)
       active[domain.view->leaf_of_cell[c]] = selection.kept(c);
     auto view = domain.forest.flatten(active, element_halo<dim>(stage), element_bonds(stage, domain));
 
-    ToLagrangianReport<dim> report;
-    State<dim>              state;
+    TakenUp<dim> taken_up;
+    State<dim>   state;
     agree(communicator, [&] {
       state = to_lagrangian(cells, domain.state, view->mesh, scene_.boundaries, stage.lost_kinetic_energy,
-                            std::span<const std::string>(layout_.material_names), report);
+                            std::span<const std::string>(layout_.material_names), taken_up);
     });
-    for (const auto &[reason, amount] : dropped)
-      if (amount.mass > 0)
-        ledger.drop(reason, amount);
+    ledger.enter(dropped);
     state.time   = domain.state.time;
     domain.state = std::move(state);
     domain.view  = std::move(view);
@@ -314,8 +306,7 @@ namespace whipple
     domain.view->halo.exchange_corners(std::vector<std::vector<double> *>{&domain.state.corner_weight});
     domain.view->halo.exchange(
         {}, std::vector<std::vector<double> *>{&domain.state.velocity[0], &domain.state.velocity[1]});
-    const GatherReport<dim> own{report.kinetic_loss, report.wall_impulse};
-    ledger.gathered("projection", sum_over_ranks(own, communicator), stage.lost_kinetic_energy);
+    ledger.enter(laid_down::projection, sum_over_ranks(taken_up.booking, communicator));
     if (select)
       spread(stage, domain, ledger);
   }
@@ -353,9 +344,8 @@ namespace whipple
         }
     domain.view = domain.forest.flatten(active, element_halo<dim>(stage), Bonds(std::move(intact)));
     clear_state(layout_, domain);
-    ledger.gathered("projection",
-                    unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain),
-                    stage.lost_kinetic_energy);
+    ledger.enter(laid_down::projection,
+                 unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain));
   }
 
   template class Handover<2>;

@@ -5,6 +5,7 @@
 #include <whipple/remap/cell_split.h>
 #include <whipple/remap/interface_normal.h>
 #include <whipple/run/regridding.h>
+#include <whipple/state/conversion.h>
 
 #include <array>
 #include <cmath>
@@ -13,6 +14,8 @@ namespace whipple
 {
   namespace
   {
+    const ConversionRegistration registration(50, Regridding<2>::cause, ConversionRegistry::Listed::at_end);
+
     /// Work of a leaf for the partition: empty ones are mostly cells of the buffer, which cost about half a step.
     unsigned int
     leaf_weight(const CellPacket &packet)
@@ -104,7 +107,7 @@ namespace whipple
   }
 
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   Regridding<dim>::regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering) const
   {
     const MPI_Comm          communicator = domain.communicator();

@@ -4,9 +4,9 @@
 #include <whipple/run/reporter.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/scene_warnings.h>
+#include <whipple/state/conversion.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -170,12 +170,48 @@ namespace whipple
 
   template <int dim>
   void
+  Reporter<dim>::write_statistics(const StepNews &news, const ConservedTotals<dim> &present, const RunState<dim> &run)
+  {
+    const Ledger<dim>       &ledger  = run.books.ledger;
+    const auto               closure = ledger.closure(present);
+    std::vector<std::string> names; // of the conversions, kept while the row refers to them
+    std::vector<double>      converted;
+    for (const auto &[key, listed] : ConversionRegistry::all())
+      if (listed == ConversionRegistry::Listed::each_step)
+        {
+          names.push_back(conversion_name(key.second) + " [Mbar cm^3]");
+          converted.push_back(ledger.bookings().of(key.second).converted.value_or(0.));
+        }
+    std::vector<TableEntry> row{{"time [us]", run.domain.state.time},
+                                {"stage", static_cast<double>(run.books.stage + 1)},
+                                {"step", static_cast<double>(news.step)},
+                                {"time step [us]", news.dt},
+                                {"active cells", static_cast<double>(news.cells)},
+                                {"mass [g]", present.mass},
+                                {"axial momentum [g cm/us]", present.momentum[Ledger<dim>::axial]},
+                                {"internal energy [Mbar cm^3]", present.internal_energy},
+                                {"kinetic energy [Mbar cm^3]", present.kinetic_energy},
+                                {"mass left domain [g]", ledger.left().mass}};
+    for (std::size_t i = 0; i < names.size(); ++i)
+      row.push_back({names[i], converted[i]});
+    for (const TableEntry &entry :
+         std::initializer_list<TableEntry>{{"mass closure", closure.mass},
+                                           {"axial momentum closure", closure.axial_momentum},
+                                           {"energy closure", closure.energy},
+                                           {"time step set by", std::string_view(news.limit->reason)},
+                                           {"set at axis 0 [cm]", news.limit->place[0]},
+                                           {"set at axis 1 [cm]", news.limit->place[1]}})
+      row.push_back(entry);
+    statistics_.write(row);
+  }
+
+  template <int dim>
+  void
   Reporter<dim>::step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run)
   {
-    const double       time   = run.domain.state.time;
-    const Ledger<dim> &ledger = run.books.ledger;
-    ReportProgress    &report = run.books.report;
-    Progress           progress;
+    const double    time   = run.domain.state.time;
+    ReportProgress &report = run.books.report;
+    Progress        progress;
     progress.stage     = news.stage->name;
     progress.step      = news.step;
     progress.time      = time;
@@ -187,32 +223,7 @@ namespace whipple
 
     if (time >= report.next_statistics)
       {
-        const auto converted = [&](const char *cause) {
-          const auto found = ledger.conversions().find(cause);
-          return found == ledger.conversions().end() ? 0. : found->second;
-        };
-        const auto                       closure = ledger.closure(present);
-        const std::array<TableEntry, 20> row{{{"time [us]", time},
-                                              {"stage", static_cast<double>(run.books.stage + 1)},
-                                              {"step", static_cast<double>(news.step)},
-                                              {"time step [us]", news.dt},
-                                              {"active cells", static_cast<double>(news.cells)},
-                                              {"mass [g]", present.mass},
-                                              {"axial momentum [g cm/us]", present.momentum[Ledger<dim>::axial]},
-                                              {"internal energy [Mbar cm^3]", present.internal_energy},
-                                              {"kinetic energy [Mbar cm^3]", present.kinetic_energy},
-                                              {"mass left domain [g]", ledger.left().mass},
-                                              {"viscous work [Mbar cm^3]", converted("viscous work")},
-                                              {"hourglass work [Mbar cm^3]", converted("hourglass work")},
-                                              {"plastic work [Mbar cm^3]", converted("plastic work")},
-                                              {"remap loss [Mbar cm^3]", converted("remap")},
-                                              {"mass closure", closure.mass},
-                                              {"axial momentum closure", closure.axial_momentum},
-                                              {"energy closure", closure.energy},
-                                              {"time step set by", std::string_view(news.limit->reason)},
-                                              {"set at axis 0 [cm]", news.limit->place[0]},
-                                              {"set at axis 1 [cm]", news.limit->place[1]}}};
-        statistics_.write(row);
+        write_statistics(news, present, run);
         report.next_statistics = time + scene_.output.statistics_interval;
       }
     let_watch(run, [&news](const Watch<dim> &watch, const MeasureView<dim> &view, std::vector<double> &memory,
@@ -253,9 +264,12 @@ namespace whipple
   void
   Reporter<dim>::warn_of_events(const Stage &stage, RunBooks<dim> &books)
   {
-    for (const auto &[what, event] : books.ledger.events())
+    for (const auto &[what, booking] : books.ledger.bookings().by_cause())
       {
-        Event &warned = books.report.events_warned[what];
+        if (!booking.event)
+          continue;
+        const Event &event  = *booking.event;
+        Event       &warned = books.report.events_warned[what];
         if (event.number > warned.number)
           log_.warning(format("stage %s: %s, %.0f times, %.3g %s in all", stage.name.c_str(), what.c_str(),
                               event.number - warned.number, event.size - warned.size, event.unit.c_str()));
@@ -277,8 +291,9 @@ namespace whipple
     log_.info(format("  %-24s %13s %15s %15s %15s", "", "g", "g cm/us", "Mbar cm^3", "Mbar cm^3"));
     log_.info(ledger_line("introduced", ledger.introduced()));
     log_.info(ledger_line("left the domain", ledger.left()));
-    for (const auto &[reason, amount] : ledger.dropped())
-      log_.info(ledger_line("dropped: " + reason, amount));
+    for (const auto &[cause, booking] : ledger.bookings().by_cause())
+      if (booking.dropped)
+        log_.info(ledger_line("dropped: " + cause, *booking.dropped));
     log_.info(ledger_line("present", present));
     if (layout_.bodies_separable && scene_.bodies.size() > 1)
       {
@@ -288,8 +303,9 @@ namespace whipple
           if (bodies[b].mass > 0)
             log_.info(ledger_line("  of " + scene_.bodies[b].name, bodies[b]));
       }
-    for (const auto &[cause, energy] : ledger.conversions())
-      log_.info(format("  converted by %-22s %15.6e Mbar cm^3", cause.c_str(), energy));
+    for (const auto &[cause, booking] : ledger.bookings().by_cause())
+      if (booking.converted)
+        log_.info(format("  converted by %-22s %15.6e Mbar cm^3", cause.c_str(), *booking.converted));
     const auto closure = ledger.closure(present);
     log_.info(format("  closes to %.1e (mass), %.1e (axial momentum), %.1e (total energy)", closure.mass,
                      closure.axial_momentum, closure.energy));

@@ -3,6 +3,7 @@
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/run/simulation.h>
 #include <whipple/run/stage_loop.h>
+#include <whipple/state/conversion.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,10 +24,19 @@ namespace whipple
       result.initial     = quantity(introduced);
       result.final_value = quantity(present);
       result.left_domain = quantity(ledger.left());
-      for (const auto &[reason, amount] : ledger.dropped())
-        result.dropped[reason] = quantity(amount);
+      for (const auto &[cause, booking] : ledger.bookings().by_cause())
+        if (booking.dropped)
+          result.dropped[cause] = quantity(*booking.dropped);
       result.closure_relative = closure;
       return result;
+    }
+
+    /// Key in summary.json.
+    std::string
+    key_of(std::string name)
+    {
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
     }
 
     template <int dim>
@@ -49,17 +59,11 @@ namespace whipple
       extra["initial_internal"] = begin.internal_energy;
       extra["kinetic"]          = present.kinetic_energy;
       extra["internal"]         = present.internal_energy;
-      const auto converted      = [&](const char *cause) {
-        const auto found = ledger.conversions().find(cause);
-        return found == ledger.conversions().end() ? 0. : found->second;
-      };
-      extra["remap_loss"]              = converted("remap");
-      extra["regrid_loss"]             = converted("regrid");
-      extra["projection_loss"]         = converted("projection");
-      extra["released_fragments_loss"] = converted("released fragments");
-      extra["plastic_work"]            = converted("plastic work");
-      extra["viscous_work"]            = converted("viscous work");
-      extra["hourglass_work"]          = converted("hourglass work");
+      for (const auto &[key, listed] : ConversionRegistry::all())
+        extra[key_of(conversion_name(key.second))] = 0.;
+      for (const auto &[cause, booking] : ledger.bookings().by_cause())
+        if (booking.converted)
+          extra[key_of(conversion_name(cause))] = *booking.converted;
       return result;
     }
 
@@ -226,8 +230,9 @@ namespace whipple
     for (const summary::Stage &stage : summary.stages)
       summary.performance.active_cell_steps += stage.cell_steps;
     summary.counts.warnings = reporter_.log().warnings();
-    for (const auto &[what, event] : ledger.events())
-      summary.counts.events[what] = {event.number, event.size, event.unit};
+    for (const auto &[cause, booking] : ledger.bookings().by_cause())
+      if (booking.event)
+        summary.counts.events[cause] = {booking.event->number, booking.event->size, booking.event->unit};
     int rank = 0;
     MPI_Comm_rank(communicator, &rank);
     if (rank == 0)

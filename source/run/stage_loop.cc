@@ -93,8 +93,7 @@ namespace whipple
   void
   StageLoop<dim>::regrid()
   {
-    const KineticLoss loss = stage_.lost_kinetic_energy;
-    run_.books.ledger.gathered("regrid", regridding_.regrid(run_.domain, loss), loss);
+    run_.books.ledger.enter(Regridding<dim>::cause, regridding_.regrid(run_.domain, stage_.lost_kinetic_energy));
     new_mesh();
     check("a regrid");
   }

@@ -6,6 +6,7 @@
 #include <whipple/mesh/key_index.h>
 #include <whipple/run/bond_breaking.h>
 #include <whipple/run/stage_loop.h>
+#include <whipple/state/conversion.h>
 
 #include <algorithm>
 
@@ -18,6 +19,9 @@ namespace whipple
 
     /// Part of a stage's typical step below which no sliver may push it.
     constexpr double sliver_share = 0.2;
+
+    const char *const            released_fragments = "released fragments";
+    const ConversionRegistration registration(70, released_fragments, ConversionRegistry::Listed::at_end);
 
     /// Owned cells of these keys.
     template <int dim>
@@ -58,13 +62,14 @@ namespace whipple
     StageProgress &progress = run_.books.progress;
     if (stage_.cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
       return false;
-    progress.since_regrid         = 0;
-    const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = break_bonds(stage_.breaking, scene_.boundaries, loss, run_.domain);
-    if (report.broken == 0)
+    progress.since_regrid = 0;
+    Bookings<dim> bookings;
+    const long    broken =
+        break_bonds(stage_.breaking, scene_.boundaries, stage_.lost_kinetic_energy, run_.domain, bookings);
+    if (broken == 0)
       return false;
-    run_.books.summary.counts.breaks += report.broken;
-    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
+    run_.books.summary.counts.breaks += broken;
+    run_.books.ledger.enter(bookings);
     new_mesh();
     check("breaking of bonds");
     return true;
@@ -74,16 +79,14 @@ namespace whipple
   bool
   StageLoop<dim>::release(std::vector<RigidFragment<dim>> &rigid)
   {
-    Domain<dim>       &domain = run_.domain;
-    ReleaseReport<dim> report =
+    Domain<dim>  &domain = run_.domain;
+    Released<dim> own =
         release_fragments<dim>(domain.view->mesh, walls_, domain.state, steps_ahead * limit_.dt, locked_);
-    const GatherReport<dim> all =
-        sum_over_ranks(GatherReport<dim>{report.kinetic_loss, report.wall_impulse}, domain.communicator());
-    run_.books.ledger.gathered("released fragments", all, KineticLoss::heat);
-    const long released = static_cast<long>(sum_over_ranks(report.released, domain.communicator()));
-    run_.books.summary.counts.releases += released;
-    rigid = std::move(report.rigid);
-    return released > 0;
+    run_.books.ledger.enter(released_fragments, sum_over_ranks(own.booking, domain.communicator()));
+    const long number = static_cast<long>(sum_over_ranks(static_cast<double>(own.number), domain.communicator()));
+    run_.books.summary.counts.releases += number;
+    rigid = std::move(own.rigid);
+    return number > 0;
   }
 
   template <int dim>
@@ -101,14 +104,14 @@ namespace whipple
     double mass = 0;
     for (const Index c : cells)
       mass += domain.view->mesh.intact[c] ? cell_mass<dim>(domain.state, c) : 0.;
-    const KineticLoss      loss   = stage_.lost_kinetic_energy;
-    const BreakReport<dim> report = free_cells<dim>(cells, scene_.boundaries, loss, domain);
-    if (report.broken == 0)
+    Bookings<dim> bookings;
+    const long    broken = free_cells<dim>(cells, scene_.boundaries, stage_.lost_kinetic_energy, domain, bookings);
+    if (broken == 0)
       return false;
-    run_.books.summary.counts.breaks += report.broken;
-    run_.books.ledger.note("elements about to fold freed from the mesh", static_cast<double>(report.broken),
-                           sum_over_ranks(mass, communicator), "g");
-    run_.books.ledger.gathered("broken bonds", report.gathered, loss);
+    run_.books.summary.counts.breaks += broken;
+    bookings.note("elements about to fold freed from the mesh", static_cast<double>(broken),
+                  sum_over_ranks(mass, communicator), "g");
+    run_.books.ledger.enter(bookings);
     new_mesh();
     check("freeing of elements");
     return true;
@@ -193,24 +196,19 @@ namespace whipple
     const long     steps    = run_.record().steps;
     if (!progress.contacts.due(steps) || !holds_pieces())
       return false;
-    const KineticLoss        loss   = stage_.lost_kinetic_energy;
-    const ContactReport<dim> report = join_contacts(scene_.boundaries, loss, domain);
-    progress.contacts.looked(steps, progress.last_time_step, report);
-    if (report.joined > 0)
-      {
-        ledger.note("overlapping elements that approach each other joined", static_cast<double>(report.joined),
-                    report.gathered.kinetic_loss, "Mbar cm^3");
-        ledger.gathered("contact", report.gathered, loss);
-        cycle_->refresh(domain.state, domain.derived);
-      }
+    const ContactLook<dim> look = join_contacts(scene_.boundaries, stage_.lost_kinetic_energy, domain);
+    progress.contacts.looked(steps, progress.last_time_step, look);
+    ledger.enter(look.bookings);
+    if (look.joined > 0)
+      cycle_->refresh(domain.state, domain.derived);
     bool anew = false;
-    if (overlap_is_deep(report))
+    if (overlap_is_deep(look))
       {
         note_locked();
         anew = handover_.lay_anew(stage_, domain, ledger);
         ledger.note(anew ? "elements deep in one another, all laid anew"
                          : "elements deep in one another that find no room in the domain",
-                    static_cast<double>(report.deep), 1., "times");
+                    static_cast<double>(look.deep), 1., "times");
       }
     if (anew)
       {
@@ -219,7 +217,7 @@ namespace whipple
         progress.locked_noted = 0;
         new_mesh();
       }
-    if (report.joined > 0 || anew)
+    if (look.joined > 0 || anew)
       check("contact of elements");
     return anew;
   }

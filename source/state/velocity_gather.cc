@@ -143,8 +143,8 @@ namespace whipple
       }
 
       /// Kinetic energy each cell's corners lost, on top of the remainder; and the impulse to the walls.
-      GatherReport<dim>
-      book()
+      Booking<dim>
+      book(KineticLoss loss)
       {
         std::vector<Vector<dim>> impulse(mesh_.n_cells, Vector<dim>{});
         for (Index corner = 0; corner < mesh_.n_cells * corners; ++corner)
@@ -171,14 +171,17 @@ namespace whipple
                 impulse[cell][d] += 0.5 * mass * removed_[d][master];
               }
         });
-        GatherReport<dim> report;
+        double      lost = 0;
+        Vector<dim> wall_impulse{};
         for (Index cell = 0; cell < mesh_.n_owned; ++cell)
           {
-            report.kinetic_loss += heat_[cell];
+            lost += heat_[cell];
             for (int d = 0; d < dim; ++d)
-              report.wall_impulse[d] += impulse[cell][d];
+              wall_impulse[d] += impulse[cell][d];
           }
-        return report;
+        Booking<dim> booking            = lost_kinetic_energy<dim>(lost, loss);
+        booking.left.emplace().momentum = wall_impulse;
+        return booking;
       }
 
       void
@@ -251,7 +254,7 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   gather_velocities(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const CornerVelocities<dim> &corners,
                     KineticLoss loss, State<dim> &state)
   {
@@ -260,10 +263,10 @@ namespace whipple
     gather.extrapolate_to_massless_masters();
     gather.weigh_transfer();
     gather.settle(boundaries);
-    const GatherReport<dim> report = gather.book();
+    const Booking<dim> booking = gather.book(loss);
     if (loss == KineticLoss::heat)
       gather.heat();
-    return report;
+    return booking;
   }
 
   template <int dim>
@@ -306,7 +309,7 @@ namespace whipple
     return sum;
   }
 
-  template GatherReport<2>
+  template Booking<2>
   gather_velocities<2>(const FlatMesh<2> &, const Boundaries<2> &, const CornerVelocities<2> &, KineticLoss,
                        State<2> &);
   template double

@@ -99,7 +99,7 @@ namespace
       return row(domain.view->mesh.key[c]) < 13;
     }
 
-    ContactReport<2>
+    ContactLook<2>
     join()
     {
       return join_contacts(axis_and_open_sides(), KineticLoss::heat, domain);
@@ -153,9 +153,9 @@ namespace
             EXPECT_EQ(after.mass, before.mass);
             EXPECT_NEAR(after.momentum[1], before.momentum[1], 1e-14 * before.momentum[1]);
             EXPECT_NEAR(after.total_energy(), before.total_energy(), 1e-14 * before.total_energy());
-            EXPECT_NEAR(before.kinetic_energy - after.kinetic_energy, report.gathered.kinetic_loss,
+            EXPECT_NEAR(before.kinetic_energy - after.kinetic_energy, report.bookings.of("contact").converted.value(),
                         1e-14 * before.kinetic_energy);
-            EXPECT_GT(report.gathered.kinetic_loss, 0.);
+            EXPECT_GT(report.bookings.of("contact").converted.value(), 0.);
             expect_same_cells(all.domain, alone.domain);
             if (cohesion == Cohesion::fragments)
               {
@@ -231,8 +231,8 @@ namespace
 
   TEST(Contact, ALookIsDueWhenThingsCanHaveMet)
   {
-    ContactSchedule  schedule;
-    ContactReport<2> quiet, close;
+    ContactSchedule schedule;
+    ContactLook<2>  quiet, close;
     quiet.time_to_next = HUGE_VAL;
     close.time_to_next = 0.35;
     EXPECT_TRUE(schedule.due(0));

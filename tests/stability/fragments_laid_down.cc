@@ -74,7 +74,7 @@ namespace
         to_eulerian<2>(MPI_COMM_SELF, grid, layout, elements, representation, mesh, Halo<2>(MPI_COMM_SELF, mesh, {}),
                        {}, Boundaries<2>{}, KineticLoss::heat, target);
     ConservedTotals<2> sum = node_totals(target);
-    sum += report.left_domain;
+    sum += *report.bookings.of(laid_down::beyond).left;
     const ConservedTotals<2> &all    = report.elements;
     const auto                energy = [](const ConservedTotals<2> &t) { return t.internal_energy + t.kinetic_energy; };
     table.at_most("mass, relative change", std::abs(sum.mass / all.mass - 1.), 1e-12);
@@ -86,7 +86,8 @@ namespace
       overfull = std::max(overfull, (target.material[0].volume[c] + target.material[1].volume[c]) / target.volume[c]);
     table.at_most("fullest cell, less 1", overfull - 1., 1e-13);
     table.at_most("solid compressed / volume of all cells", report.solid_compressed / 16., 1e-6);
-    table.report("solid moved to where there is room / volume of all cells", report.spread.volume / 16.);
+    table.report("solid moved to where there is room / volume of all cells",
+                 report.bookings.of(laid_down::spread).event->size / 16.);
   }
 
   TEST(QuickFragments, TenThousandDistended)

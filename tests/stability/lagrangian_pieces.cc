@@ -182,8 +182,8 @@ namespace
     table.at_most("closure of mass, momentum, energy", outcome.closure(), 1e-11);
     table.at_most("largest kinetic energy / that of the ring, less 1", outcome.kinetic_growth() - 1., 1e-9);
     double dropped = 0;
-    for (const auto &[what, amount] : outcome.ledger().dropped())
-      dropped += amount.mass;
+    for (const auto &[cause, booking] : outcome.ledger().bookings().by_cause())
+      dropped += booking.dropped ? booking.dropped->mass : 0.;
     table.report("mass dropped / mass", dropped / outcome.ledger().introduced().mass);
     double mass = 0, mean = 0, square = 0;
     for (const Cell &s : outcome.cells())

@@ -168,7 +168,7 @@ namespace whipple::hydro_case
     return step.time_step(state, evaluate(step, state));
   }
 
-  inline LagrangeReport<2>
+  inline LagrangeSums<2>
   advance(LagrangeStep<2> &step, State<2> &state, double dt)
   {
     return step.advance(state, evaluate(step, state), dt);
@@ -177,13 +177,13 @@ namespace whipple::hydro_case
   /// Run to `end`, at most growing dt by a tenth a step.
   /// @param first_step part of the stable time step to start with
   /// @return boundary work and all that steps report
-  inline LagrangeReport<2>
+  inline LagrangeSums<2>
   run(LagrangeStep<2> &step, State<2> &state, double end, double first_step = 0.01)
   {
     step.update_node_mass(state);
-    Derived           derived = evaluate(step, state);
-    LagrangeReport<2> total;
-    double            dt = first_step * step.time_step(state, derived).dt / 1.1;
+    Derived         derived = evaluate(step, state);
+    LagrangeSums<2> total;
+    double          dt = first_step * step.time_step(state, derived).dt / 1.1;
     while (end - state.time > 1e-12 * end)
       {
         dt                = std::min({1.1 * dt, step.time_step(state, derived).dt, end - state.time});

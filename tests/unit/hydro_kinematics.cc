@@ -88,7 +88,7 @@ namespace
 
   /// One step from a velocity field that stretches `directions` axes at `rate`, 1/us, with pressures that vanish
   /// at half step.
-  LagrangeReport<2>
+  LagrangeSums<2>
   work_of(Symmetry symmetry, double rate, int directions, const std::function<Vector<2>(double, double)> &velocity,
           State<2> &state)
   {

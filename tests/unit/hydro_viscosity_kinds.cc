@@ -52,7 +52,7 @@ namespace
     }
 
     /// One step in which nothing but the viscosity acts.
-    LagrangeReport<2>
+    LagrangeSums<2>
     viscous_step(ViscosityKind kind, const std::function<Vector<2>(double, double)> &velocity)
     {
       set_velocity(mesh, state, velocity);

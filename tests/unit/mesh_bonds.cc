@@ -200,12 +200,12 @@ namespace
     for (const Index c : {Index(0), Index(4)}) // corner 3 of both is on its way through corner 0
       for (int d = 0; d < 2; ++d)
         b.state.velocity[d][b.mesh.cell_node[4 * c + 3]] = -1.;
-    const auto             before = node_totals(b.state).internal_energy;
-    const ReleaseReport<2> report = release_fragments<2>(b.mesh, {}, b.state, 0.09);
-    EXPECT_EQ(report.released, 1);
+    const auto        before = node_totals(b.state).internal_energy;
+    const Released<2> report = release_fragments<2>(b.mesh, {}, b.state, 0.09);
+    EXPECT_EQ(report.number, 1);
     const double mass = 2.7 * b.state.volume[4]; // (m/4) (1/2 - 1/8) of each component's square turns into heat
-    EXPECT_NEAR(report.kinetic_loss, 2. * mass * (0.125 - 0.03125), 1e-15 * mass);
-    EXPECT_NEAR(node_totals(b.state).internal_energy - before, report.kinetic_loss, 1e-14 * before);
+    EXPECT_NEAR(*report.booking.converted, 2. * mass * (0.125 - 0.03125), 1e-15 * mass);
+    EXPECT_NEAR(node_totals(b.state).internal_energy - before, *report.booking.converted, 1e-14 * before);
     for (int k = 0; k < 4; ++k)
       EXPECT_NEAR(b.state.velocity[0][b.mesh.cell_node[16 + k]], -0.25, 1e-15);
     EXPECT_EQ(b.state.velocity[0][b.mesh.cell_node[3]], -1.);

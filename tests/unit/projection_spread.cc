@@ -131,8 +131,8 @@ TEST(SpreadExcess, RandomOverfullStatesFitAfterwardsAndKeepEverything)
         const auto before = pile.sums();
         const auto report = pile.spread();
         const auto after  = pile.sums();
-        EXPECT_GT(report.cells, 0.);
-        EXPECT_GT(report.volume, 0.);
+        EXPECT_GT(report.moved.number, 0.);
+        EXPECT_GT(report.moved.size, 0.);
         EXPECT_GT(report.depth, 1.5);
         for (Index c = 0; c < pile.mesh.n_cells; ++c)
           {
@@ -168,7 +168,7 @@ TEST(SpreadExcess, WhatFitsStaysAsItIs)
   pile.put(5, 1.4, 0.5, {{0., 1.}}, 0.);
   pile.put(6, 1., 0., {{0., 1.}}, 0.);
   const auto report = pile.spread();
-  EXPECT_EQ(report.cells, 0.);
+  EXPECT_EQ(report.moved.number, 0.);
   EXPECT_EQ(report.rounds, 0);
   EXPECT_EQ(pile.laid.material[0].volume[5], 0.7 * pile.state.volume[5]);
 }
@@ -186,7 +186,7 @@ TEST(SpreadExcess, APlateThatIsThereStaysAndThrowsBackWhatWasLaidIntoIt)
       if (y > 0.2 && y < 0.5 && pile.mesh.lower[0][c] > 0.35 && pile.mesh.lower[0][c] < 0.65)
         pile.put(c, 1., 0., {{0., 0.5}}, 0.);
     }
-  EXPECT_EQ(pile.spread().cells, 3.);
+  EXPECT_EQ(pile.spread().moved.number, 3.);
   for (Index c = 0; c < pile.mesh.n_cells; ++c)
     {
       const double y = pile.mesh.lower[1][c] + 0.3 + 0.05;
@@ -206,7 +206,7 @@ TEST(SpreadExcess, ClosedCellsTakeNothing)
   for (Index c = 0; c < pile.mesh.n_cells; ++c)
     pile.closed[c] = pile.mesh.lower[0][c] < 0.25;
   pile.put(cell_at(pile.mesh, 0.35, 0.05), 4., 0., {{0., 0.5}}, 0.);
-  EXPECT_EQ(pile.spread().cells, 1.);
+  EXPECT_EQ(pile.spread().moved.number, 1.);
   for (Index c = 0; c < pile.mesh.n_cells; ++c)
     if (pile.closed[c])
       {

@@ -160,11 +160,11 @@ namespace remap_case
   }
 
   /// One remap in alternating order.
-  inline whipple::RemapReport<2>
+  inline whipple::RemapSums<2>
   remap(whipple::DirectionalRemap<2> &remap, State<2> &state, const int first_axis)
   {
     remap.begin(state);
-    whipple::RemapReport<2> report = remap.sweep(state, first_axis);
+    whipple::RemapSums<2> report = remap.sweep(state, first_axis);
     report += remap.sweep(state, 1 - first_axis);
     remap.finish(state);
     return report;

@@ -214,8 +214,8 @@ TEST_P(RemapConservation, RandomStates)
       parameters.second_order = second_order;
       whipple::DirectionalRemap<2> remap(mesh, sides, parameters);
 
-      const Totals            before = totals(state);
-      whipple::RemapReport<2> report;
+      const Totals          before = totals(state);
+      whipple::RemapSums<2> report;
       remap.begin(state);
       for (const int axis : {sample % 2, 1 - sample % 2})
         {

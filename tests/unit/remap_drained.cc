@@ -102,11 +102,11 @@ TEST_P(RemapDrained, NothingIsLostAndNoTraceIsHeatedBeyondTheMixture)
 
       whipple::RemapParameters parameters;
       parameters.second_order = second_order;
-      whipple::DirectionalRemap<2>  transport(mesh, sides, parameters);
-      const Totals                  before = totals(state);
-      const whipple::RemapReport<2> report = remap(transport, state, sample % 2);
-      const Totals                  after  = totals(state);
-      whipple::SideFlux<2>          left;
+      whipple::DirectionalRemap<2> transport(mesh, sides, parameters);
+      const Totals                 before = totals(state);
+      const whipple::RemapSums<2>  report = remap(transport, state, sample % 2);
+      const Totals                 after  = totals(state);
+      whipple::SideFlux<2>         left;
       for (const auto &side : report.side)
         {
           left.kinetic += side.kinetic;

@@ -80,9 +80,9 @@ TEST(RemapLimits, DroppedKineticEnergyLeavesTheMaterialCold)
   const Mesh               mesh = uniform_mesh(Symmetry::planar, 0.01, {8, 8});
   whipple::RemapParameters parameters;
   parameters.kinetic_loss_to_heat = false;
-  whipple::DirectionalRemap<2>  remap(mesh, boundaries(BoundaryKind::transmitting), parameters);
-  State<2>                      state  = moving_block(mesh, 0.5, 0.003, 0.);
-  const whipple::RemapReport<2> report = remap_case::remap(remap, state, 0);
+  whipple::DirectionalRemap<2> remap(mesh, boundaries(BoundaryKind::transmitting), parameters);
+  State<2>                     state  = moving_block(mesh, 0.5, 0.003, 0.);
+  const whipple::RemapSums<2>  report = remap_case::remap(remap, state, 0);
   EXPECT_GT(report.kinetic_lost, 0.);
   EXPECT_EQ(report.kinetic_heated, 0.);
   for (const double energy : state.material[0].energy)
@@ -95,11 +95,11 @@ TEST(RemapLimits, PistonKeepsItsVelocityAndItsWorkIsBooked)
   whipple::Boundaries<2> sides = boundaries(BoundaryKind::transmitting);
   sides[0].kind                = BoundaryKind::inflow;
   sides[0].velocity            = {0.4, 0.};
-  whipple::DirectionalRemap<2>  remap(mesh, sides, {});
-  State<2>                      state  = moving_block(mesh, 0.5, 0.003, 0.4);
-  const Totals                  before = totals(state);
-  const whipple::RemapReport<2> report = remap_case::remap(remap, state, 1);
-  const Totals                  after  = totals(state);
+  whipple::DirectionalRemap<2> remap(mesh, sides, {});
+  State<2>                     state  = moving_block(mesh, 0.5, 0.003, 0.4);
+  const Totals                 before = totals(state);
+  const whipple::RemapSums<2>  report = remap_case::remap(remap, state, 1);
+  const Totals                 after  = totals(state);
   for (Index n = 0; n < mesh.n_nodes; ++n)
     if (mesh.node_side[n] & 1)
       {

@@ -142,7 +142,7 @@ TEST(RemapUniform, StaysUniformToTheLastBit)
           for (int d = 0; d < 2; ++d)
             state.velocity[d].assign(mesh.n_nodes, uniform[d]);
           lump(mesh, state);
-          const whipple::RemapReport<2> report = remap_case::remap(remap, state, step % 2);
+          const whipple::RemapSums<2> report = remap_case::remap(remap, state, step % 2);
           ASSERT_EQ(report.kinetic_lost, 0.) << report.kinetic_lost;
           for (Index n = 0; n < mesh.n_nodes; ++n)
             for (int d = 0; d < 2 && state.node_mass[n] > 0; ++d)

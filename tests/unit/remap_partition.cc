@@ -130,7 +130,7 @@ TEST(RemapPartition, SameBitsOnEveryPart)
       State<2>                     done = state;
       whipple::DirectionalRemap<2> remap(whole, sides, {});
       remap.begin(done);
-      whipple::RemapReport<2> report = remap.sweep(done, axis), sum;
+      whipple::RemapSums<2> report = remap.sweep(done, axis), sum;
       for (const bool upper : {false, true})
         {
           const Mesh part = part_of(whole, upper, random);

@@ -98,11 +98,11 @@ TEST(RemapSparse, NothingGetsFasterOrColderThanItsDonors)
           remap.begin(state);
           for (const int axis : {sample % 2, 1 - sample % 2})
             {
-              const Totals                  before = totals(state);
-              const Point                   limit{fastest(state, 0), fastest(state, 1)};
-              const whipple::RemapReport<2> report  = remap.sweep(state, axis);
-              const Totals                  after   = totals(state);
-              double                        wall[2] = {0, 0};
+              const Totals                before = totals(state);
+              const Point                 limit{fastest(state, 0), fastest(state, 1)};
+              const whipple::RemapSums<2> report  = remap.sweep(state, axis);
+              const Totals                after   = totals(state);
+              double                      wall[2] = {0, 0};
               for (const auto &side : report.side)
                 for (int d = 0; d < 2; ++d)
                   wall[d] += side.momentum[d];

@@ -98,11 +98,11 @@ namespace
   }
 
   /// Move on for a time at uniform velocity, all nodes that hold mass together; steps at the advection limit.
-  whipple::RemapReport<2>
+  whipple::RemapSums<2>
   fly(const Mesh &mesh, State<2> &state, whipple::DirectionalRemap<2> &remap, const Point &v, const double end)
   {
-    whipple::RemapReport<2> report;
-    int                     step = 0;
+    whipple::RemapSums<2> report;
+    int                   step = 0;
     for (double time = 0; time < end; ++step)
       {
         const double dt = std::min(remap.time_step(state).dt, end - time);
@@ -149,9 +149,9 @@ TEST(RemapTranslation, SphereOverTenDiametersAcrossLevels)
   State<2> state = empty_state(mesh, 1), exact = state;
   fill_body(mesh, state, sphere(0.24), v);
   fill_body(mesh, exact, sphere(0.24 + 20. * radius), v);
-  const Totals                  before = totals(state);
-  const whipple::RemapReport<2> report = fly(mesh, state, remap, v, 20. * radius / speed);
-  const Totals                  after  = totals(state);
+  const Totals                before = totals(state);
+  const whipple::RemapSums<2> report = fly(mesh, state, remap, v, 20. * radius / speed);
+  const Totals                after  = totals(state);
   write_cells(mesh, state, "sphere.txt");
   write_cells(mesh, exact, "sphere_exact.txt");
 
@@ -184,9 +184,9 @@ TEST(RemapTranslation, DiscObliquelyAcrossLevels)
   State<2> state = empty_state(mesh, 1), exact = state;
   fill_body(mesh, state, disc(0.25, 0.25), v);
   fill_body(mesh, exact, disc(1.65, 0.95), v);
-  const Totals                  before = totals(state);
-  const whipple::RemapReport<2> report = fly(mesh, state, remap, v, 1.4 / speed);
-  const Totals                  after  = totals(state);
+  const Totals                before = totals(state);
+  const whipple::RemapSums<2> report = fly(mesh, state, remap, v, 1.4 / speed);
+  const Totals                after  = totals(state);
   write_cells(mesh, state, "disc.txt");
   write_cells(mesh, exact, "disc_exact.txt");
 

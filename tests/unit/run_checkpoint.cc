@@ -79,7 +79,7 @@ namespace
     EXPECT_EQ(again.progress.ceiling, HUGE_VAL);
     EXPECT_EQ(again.progress.history.steps(), books.progress.history.steps());
     EXPECT_EQ(again.ledger.introduced().momentum[1], 1e-310);
-    EXPECT_EQ(again.ledger.dropped().at("not debris").kinetic_energy, 2. / 7.);
+    EXPECT_EQ(again.ledger.bookings().of("not debris").dropped.value().kinetic_energy, 2. / 7.);
     EXPECT_EQ(again.summary.results, books.summary.results);
     EXPECT_EQ(again.summary.stages[0].finest_equivalent_cells, std::optional<long>(12));
     EXPECT_FALSE(again.summary.stages[0].elements);

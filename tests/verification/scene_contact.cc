@@ -49,9 +49,9 @@ namespace
   event(const Simulation<2> &simulation, const std::string &what)
   {
     double number = 0;
-    for (const auto &[name, happened] : simulation.ledger().events())
-      if (name.find(what) != std::string::npos)
-        number += happened.number;
+    for (const auto &[cause, booking] : simulation.ledger().bookings().by_cause())
+      if (booking.event && cause.find(what) != std::string::npos)
+        number += booking.event->number;
     return number;
   }
 } // namespace

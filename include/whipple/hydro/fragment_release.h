@@ -4,6 +4,7 @@
 #include <whipple/hydro/folding.h>
 #include <whipple/hydro/node_motion.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/booking.h>
 #include <whipple/state/fields.h>
 
 #include <array>
@@ -20,14 +21,14 @@ namespace whipple
     std::array<double, 2 * dim> position{}; ///< cm
   };
 
-  /// What releasing fragments did, over owned cells.
+  /// Fragments that were released, over owned cells.
   template <int dim>
-  struct ReleaseReport
+  struct Released
   {
-    Index       released     = 0;          ///< fragments newly made rigid
-    double      kinetic_loss = 0;          ///< Mbar cm^3 of relative motion turned into heat
-    Vector<dim> wall_impulse{};            ///< g cm/us given to walls that fragments meet (at the axis: radial)
-    std::vector<RigidFragment<dim>> rigid; ///< that must keep their shape in the next step, ordered by cell
+    Index                           number = 0; ///< newly made rigid
+    std::vector<RigidFragment<dim>> rigid;      ///< that must keep their shape in the next step, ordered by cell
+    Booking<dim> booking; ///< kinetic energy of relative motion turned into heat; impulse given to walls that fragments
+                          ///< meet (at the axis: radial)
   };
 
   /// Keep independent fragments from folding: one whose motion over the next dt would bring a corner Jacobian below
@@ -40,7 +41,7 @@ namespace whipple
   ///        shape in the step (as what is about to go through something does): at the point of folding the forces of
   ///        one step may be enough
   template <int dim>
-  ReleaseReport<dim>
+  Released<dim>
   release_fragments(const FlatMesh<dim> &mesh, const RigidWalls<dim> &walls, State<dim> &state, double dt,
                     std::span<const Index> forced = {}, double least_jacobian = least_jacobian_share);
 } // namespace whipple

@@ -9,6 +9,7 @@
 #include <whipple/material/material.h>
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/bookings.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -17,15 +18,19 @@
 
 namespace whipple
 {
-  /// What one Lagrange step transformed and exchanged, summed over owned cells; energies in Mbar cm^3.
+  /// What one Lagrange step transformed and exchanged, summed over owned cells; energies in Mbar cm^3. bookings() is
+  /// how it goes into the ledger.
   template <int dim>
-  struct LagrangeReport
+  struct LagrangeSums
   {
     double      viscous_work   = 0;  ///< kinetic energy turned into heat by the artificial viscosity
     double      hourglass_work = 0;  ///< kinetic energy turned into heat by the hourglass resistance
     double      plastic_work   = 0;  ///< work of the deviatoric stress on the plastic strain rate
     double      boundary_work  = 0;  ///< energy that the sides gave to the material
     Vector<dim> boundary_momentum{}; ///< g cm/us that the sides gave; radial entry without meaning in r, z
+
+    Bookings<dim>
+    bookings() const;
   };
 
   /// Set state.volume [n_cells] and state.corner_weight [n_cells * corners] from state.position.
@@ -78,7 +83,7 @@ namespace whipple
     /// @param derived of the state before the step
     /// @param rigid elements that keep their shape
     /// @throws StateError if the volume of an owned cell or of a material in it would not stay positive.
-    LagrangeReport<dim>
+    LagrangeSums<dim>
     advance(State<dim> &state, const Derived &derived, double dt, std::span<const RigidFragment<dim>> rigid = {});
 
     /// What the last advance() started from, where it has successors: volumes, densities, energies, stresses and

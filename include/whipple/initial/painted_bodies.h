@@ -2,8 +2,8 @@
 #pragma once
 
 #include <whipple/ledger/exact_sum.h>
-#include <whipple/projection/conserved_totals.h>
 #include <whipple/scene/scene.h>
+#include <whipple/state/conserved_totals.h>
 
 #include <mpi.h>
 

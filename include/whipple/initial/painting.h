@@ -26,7 +26,7 @@ namespace whipple
   /// @throws StateError if a deposit finds no material, or the exact solution gives no initial state;
   /// ConservationError if the cells do not receive the volumes of the bodies.
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
                const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state);
 } // namespace whipple

@@ -2,26 +2,13 @@
 #pragma once
 
 #include <whipple/ledger/totals.h>
-#include <whipple/state/velocity_gather.h>
+#include <whipple/state/bookings.h>
 
-#include <map>
 #include <string>
 #include <utility>
 
 namespace whipple
 {
-  /// Energy that changed its form without leaving the problem, Mbar cm^3, by cause: "viscous work",
-  /// "plastic work", "hourglass work", "remap", "regrid", "projection" ...
-  using Conversions = std::map<std::string, double>;
-
-  /// Something the scheme had to do to go on (a squeeze, a merge, a release ...): how often, and how much in all.
-  struct Event
-  {
-    double      number = 0;
-    double      size   = 0;
-    std::string unit; ///< of size, "g", "Mbar cm^3" ...
-  };
-
   /// Books of a run: what came in, what left through the domain's sides, what was dropped and why. What is
   /// present must be the difference, to round-off, after every step, regrid and projection:
   ///
@@ -42,13 +29,11 @@ namespace whipple
     /// All that has been entered.
     struct Books
     {
-      ConservedTotals<dim>                        introduced;
-      double                                      momentum_scale = 0; ///< sum of sqrt(2 m T) of what was introduced
-      ConservedTotals<dim>                        left;
-      std::map<std::string, ConservedTotals<dim>> dropped;
-      Conversions                                 conversions;
-      std::map<std::string, Event>                events;
-      Closure                                     last; ///< imbalance at the last check
+      ConservedTotals<dim> introduced;
+      double               momentum_scale = 0; ///< sum of sqrt(2 m T) of what was introduced
+      ConservedTotals<dim> left;               ///< by all causes together, in the order in which it left
+      Bookings<dim>        bookings;
+      Closure              last; ///< imbalance at the last check
     };
 
     Ledger() = default;
@@ -66,29 +51,25 @@ namespace whipple
     void
     introduce(const ConservedTotals<dim> &amounts);
 
+    /// Enter what pieces of the scheme did, all ranks together. An event that never happened is left out.
+    void
+    enter(const Bookings<dim> &bookings);
+    void
+    enter(const std::string &cause, const Booking<dim> &booking);
+
     /// Crossed a side of the domain (or, for work and impulse of the sides, was spent on it).
     void
-    leave(const ConservedTotals<dim> &amounts);
+    leave(const std::string &cause, const ConservedTotals<dim> &amounts);
 
     void
-    drop(const std::string &reason, const ConservedTotals<dim> &amounts);
+    drop(const std::string &cause, const ConservedTotals<dim> &amounts);
 
     void
     convert(const std::string &cause, double energy);
 
-    /// Kinetic energy that averaging velocities lost: converted; where it does not heat the material it is dropped,
-    /// too.
-    void
-    lose_kinetic(const std::string &cause, double energy, KineticLoss loss);
-
-    /// What an averaging of velocities onto nodes did (all ranks): the kinetic energy it lost, and the impulse that
-    /// walls took.
-    void
-    gathered(const std::string &cause, const GatherReport<dim> &report, KineticLoss loss);
-
     /// Count what the scheme had to do, all ranks together. Nothing is entered if it never happened.
     void
-    note(const std::string &what, double number, double size, const std::string &unit);
+    note(const std::string &cause, double number, double size, const std::string &unit);
 
     /// Compare the books with what is present.
     /// @param tolerance largest allowed change of the imbalance since the last call, relative to what was
@@ -116,20 +97,11 @@ namespace whipple
     {
       return books_.left;
     }
-    const std::map<std::string, ConservedTotals<dim>> &
-    dropped() const
+    /// By cause: what left, was dropped or changed its form, and events.
+    const Bookings<dim> &
+    bookings() const
     {
-      return books_.dropped;
-    }
-    const Conversions &
-    conversions() const
-    {
-      return books_.conversions;
-    }
-    const std::map<std::string, Event> &
-    events() const
-    {
-      return books_.events;
+      return books_.bookings;
     }
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/projection/conserved_totals.h>
+#include <whipple/state/conserved_totals.h>
 #include <whipple/state/corner_velocity.h>
 #include <whipple/state/fields.h>
 

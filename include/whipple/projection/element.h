@@ -2,7 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/projection/conserved_totals.h>
+#include <whipple/state/conserved_totals.h>
 #include <whipple/state/fields.h>
 #include <whipple/state/packet_layout.h>
 

@@ -3,23 +3,18 @@
 
 #include <whipple/mesh/halo.h>
 #include <whipple/projection/laid.h>
+#include <whipple/state/booking.h>
 
 #include <mpi.h>
 
 namespace whipple::projection
 {
-  /// What joining slivers did, over all ranks.
-  struct SliverReport
-  {
-    double cells = 0; ///< given up
-    double mass  = 0; ///< in them, g
-  };
-
   /// Give what was laid down in cells of which it fills less than a share, where nothing was before, to the face
   /// neighbour that holds the most solid, if that is more than the cell's own and has room for a hundredth of its
   /// volume (so nothing is squeezed). A cell that is to become an element needs enough in it to have a state of its
   /// own. Conserves as spread_excess does. Collective; same bits on any number of ranks.
-  SliverReport
+  /// @returns cells given up by all ranks, and the mass in them
+  Event
   gather_slivers(MPI_Comm communicator, const FlatMesh<2> &mesh, const Halo<2> &halo, const State<2> &state,
                  double share, Laid &laid);
 } // namespace whipple::projection

@@ -4,6 +4,7 @@
 #include <whipple/error.h>
 #include <whipple/mesh/halo.h>
 #include <whipple/projection/laid.h>
+#include <whipple/state/booking.h>
 
 #include <mpi.h>
 
@@ -25,11 +26,10 @@ namespace whipple::projection
   /// What spreading did, over all ranks.
   struct SpreadReport
   {
-    double cells          = 0; ///< that held more solid than fits
-    double volume         = 0; ///< of the solid that did not fit there, cm^3
-    double pores_squeezed = 0; ///< void pressed out of what lay in those cells, cm^3
-    double depth          = 0; ///< largest volume of solid in a cell over the cell's volume; 0 if none was overfull
-    int    rounds         = 0; ///< of handing over to neighbours
+    Event  moved{0, 0, "cm^3"}; ///< cells that held more solid than fits, and the volume of what did not fit there
+    double pores_squeezed = 0;  ///< void pressed out of what lay in those cells, cm^3
+    double depth          = 0;  ///< largest volume of solid in a cell over the cell's volume; 0 if none was overfull
+    int    rounds         = 0;  ///< of handing over to neighbours
   };
 
   /// Solid beyond this part of its cell's volume is moved; what is less is round-off and stays.

@@ -3,11 +3,11 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_builder.h>
-#include <whipple/projection/conserved_totals.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/gather_slivers.h>
 #include <whipple/projection/spread_excess.h>
-#include <whipple/state/velocity_gather.h>
+#include <whipple/state/bookings.h>
+#include <whipple/state/conserved_totals.h>
 
 #include <mpi.h>
 
@@ -32,19 +32,24 @@ namespace whipple
 
   /// What a projection onto cells did, over all ranks.
   template <int dim>
-  struct ToEulerianReport
+  struct LaidDown
   {
     ConservedTotals<dim> elements;           ///< what was to be laid down
-    ConservedTotals<dim> left_domain;        ///< the part of it beyond the domain's sides
-    double               kinetic_loss   = 0; ///< Mbar cm^3, turned into heat or dropped
     double               pores_squeezed = 0; ///< cm^3 of void pressed out where cells were overfull
-    double solid_compressed             = 0; ///< cm^3 of solid beyond the cells' volume, round-off: it is denser for it
-    projection::SpreadReport spread;         ///< solid that did not fit and was moved to where there is room
-    projection::SliverReport slivers;        ///< what joined neighbours
-    Vector<dim>              wall_impulse{}; ///< g cm/us given to reflecting sides (the axis: radial)
-    Index                    folded_elements  = 0; ///< elements with an inverted triangle (projection.md)
-    Index                    mirrored_corners = 0; ///< corners that had crossed the axis of symmetry
+    double        solid_compressed      = 0; ///< cm^3 of solid beyond the cells' volume, round-off: it is denser for it
+    Bookings<dim> bookings;
   };
+
+  /// The causes in it.
+  namespace laid_down
+  {
+    inline constexpr const char *projection = "projection"; ///< nodes made of the velocities of what was laid down
+    inline constexpr const char *beyond     = "elements laid down beyond the domain";
+    inline constexpr const char *spread     = "overlapping pieces laid down, solid moved to where there is room";
+    inline constexpr const char *slivers    = "slivers joined to a neighbour as all was laid anew";
+    inline constexpr const char *folded     = "folded elements laid down";
+    inline constexpr const char *mirrored   = "corners beyond the axis laid down as their mirror image";
+  } // namespace laid_down
 
   /// Lagrangian -> Eulerian: lay elements down on the cells of a mesh, on top of what the state already holds there
   /// (a painted wall). Mass, momentum and total energy are kept to round-off; a uniform velocity stays uniform.
@@ -57,7 +62,7 @@ namespace whipple
   ///         is as it was), or ConservationError if the mesh does not cover
   ///         all of the elements that lie inside the domain (relative mass beyond 1e-11).
   template <int dim>
-  ToEulerianReport<dim>
+  LaidDown<dim>
   to_eulerian(MPI_Comm communicator, const Lattice<dim> &lattice, const CellPacketLayout<dim> &layout,
               const std::vector<Element<dim>> &elements, Representation representation, const FlatMesh<dim> &mesh,
               const Halo<dim> &halo, const LayDownLimits &limits, const Boundaries<dim> &boundaries, KineticLoss loss,

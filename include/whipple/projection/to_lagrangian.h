@@ -3,9 +3,9 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/projection/conserved_totals.h>
+#include <whipple/state/booking.h>
+#include <whipple/state/conserved_totals.h>
 #include <whipple/state/fields.h>
-#include <whipple/state/velocity_gather.h>
 
 #include <span>
 #include <string>
@@ -14,13 +14,12 @@ namespace whipple
 {
   /// What a projection onto elements did, over owned elements.
   template <int dim>
-  struct ToLagrangianReport
+  struct TakenUp
   {
-    ConservedTotals<dim> before;           ///< of the kept cells in the Eulerian state
-    ConservedTotals<dim> after;            ///< of the elements
-    double               kinetic_loss = 0; ///< Mbar cm^3, turned into heat or dropped: at former hanging nodes, and
-                                           ///< where a bonded mesh loses neighbours nothing
-    Vector<dim> wall_impulse{};            ///< g cm/us given to reflecting sides
+    ConservedTotals<dim> before;  ///< of the kept cells in the Eulerian state
+    ConservedTotals<dim> after;   ///< of the elements
+    Booking<dim>         booking; ///< kinetic energy lost at former hanging nodes (where a bonded mesh loses neighbours
+                                  ///< nothing), impulse given to reflecting sides
   };
 
   /// Eulerian -> Lagrangian: every cell of `elements` takes over the cell of `cells` with the same key. Shape, masses,
@@ -38,5 +37,5 @@ namespace whipple
   State<dim>
   to_lagrangian(const FlatMesh<dim> &cells, const State<dim> &eulerian, const FlatMesh<dim> &elements,
                 const Boundaries<dim> &boundaries, KineticLoss loss, std::span<const std::string> names,
-                ToLagrangianReport<dim> &report);
+                TakenUp<dim> &taken_up);
 } // namespace whipple

@@ -5,7 +5,8 @@
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/remap/material_transport.h>
 #include <whipple/remap/momentum_transport.h>
-#include <whipple/remap/remap_report.h>
+#include <whipple/remap/remap_parameters.h>
+#include <whipple/remap/remap_sums.h>
 #include <whipple/remap/sweep_topology.h>
 #include <whipple/remap/volume_flux.h>
 #include <whipple/state/fields.h>
@@ -55,7 +56,7 @@ namespace whipple
     /// energy, phi, fields), node velocities and masses.
     /// @throws StateError where an owned cell would give away more than it holds (step too long), or material
     ///   would cross the end of the active region.
-    RemapReport<dim>
+    RemapSums<dim>
     sweep(State<dim> &state, int axis);
 
     /// Nodes back to the undeformed mesh, exact volumes; cells full within 1e-10 become exactly full.

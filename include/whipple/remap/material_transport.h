@@ -3,7 +3,8 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/remap/remap_report.h>
+#include <whipple/remap/remap_parameters.h>
+#include <whipple/remap/remap_sums.h>
 #include <whipple/remap/sweep_topology.h>
 #include <whipple/remap/volume_flux.h>
 #include <whipple/state/fields.h>
@@ -25,7 +26,7 @@ namespace whipple
     /// @param odd_field place in MaterialState::fields of the one that a mirror turns round (the shear stress), or -1
     void
     move(MaterialState &material, Index m, const VolumeFlux<dim> &volume_flux, const SweepTopology<dim> &topology,
-         int odd_field, std::vector<double> &mass_flux, RemapReport<dim> &report);
+         int odd_field, std::vector<double> &mass_flux, RemapSums<dim> &report);
 
   private:
     /// A face that material passes, its donor, and the cells upstream and downstream of the donor that the slope
@@ -57,7 +58,7 @@ namespace whipple
     carry(std::vector<double> &value, const std::vector<double> &flux, const std::vector<double> &inverse,
           const SweepTopology<dim> &topology);
     void
-    book_boundaries(const SweepTopology<dim> &topology, RemapReport<dim> &report) const;
+    book_boundaries(const SweepTopology<dim> &topology, RemapSums<dim> &report) const;
 
     const FlatMesh<dim>      *mesh_;
     const RemapParameters     parameters_;

@@ -5,7 +5,8 @@
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/remap/dual_flux.h>
 #include <whipple/remap/node_topology.h>
-#include <whipple/remap/remap_report.h>
+#include <whipple/remap/remap_parameters.h>
+#include <whipple/remap/remap_sums.h>
 #include <whipple/remap/sweep_topology.h>
 #include <whipple/state/fields.h>
 
@@ -29,7 +30,7 @@ namespace whipple
     /// @param mass_before, mass_after [cell] of all materials, around the sweep
     void
     move(State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &mass_flux,
-         const std::vector<double> &mass_before, const std::vector<double> &mass_after, RemapReport<dim> &report);
+         const std::vector<double> &mass_before, const std::vector<double> &mass_after, RemapSums<dim> &report);
 
   private:
     /// Sums over the fluxes F (inwards positive) of velocity u relative to the node's: F u and F u^2.
@@ -123,14 +124,14 @@ namespace whipple
     void
     change_of(const State<dim> &state, int axis, Index node, const Mixture *mixed, Change &change) const;
     void
-    constrain(Index node, double time, Change &change, RemapReport<dim> &report) const;
+    constrain(Index node, double time, Change &change, RemapSums<dim> &report) const;
     void
-    update_nodes(State<dim> &state, int axis, RemapReport<dim> &report);
+    update_nodes(State<dim> &state, int axis, RemapSums<dim> &report);
     void
     book_boundaries(const State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &mass_flux,
-                    RemapReport<dim> &report) const;
+                    RemapSums<dim> &report) const;
     void
-    heat_cells(State<dim> &state, const std::vector<double> &mass_after, RemapReport<dim> &report) const;
+    heat_cells(State<dim> &state, const std::vector<double> &mass_after, RemapSums<dim> &report) const;
 
     /// Whether this rank counts the node in sums over all nodes.
     bool

@@ -3,7 +3,8 @@
 
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/remap/interface_reconstruction.h>
-#include <whipple/remap/remap_report.h>
+#include <whipple/remap/remap_parameters.h>
+#include <whipple/remap/remap_sums.h>
 #include <whipple/remap/sweep_topology.h>
 #include <whipple/state/fields.h>
 
@@ -25,7 +26,7 @@ namespace whipple
     ///   region inside the domain.
     void
     compute(const State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &swept,
-            RemapReport<dim> &report);
+            RemapSums<dim> &report);
 
     /// [material][face] volume that passes along + axis, cm^3; 0 at index n_faces.
     std::vector<std::vector<double>> flux;
@@ -51,7 +52,7 @@ namespace whipple
     void
     check_ends(const SweepTopology<dim> &topology) const;
     void
-    limit_donors(const State<dim> &state, const SweepTopology<dim> &topology, RemapReport<dim> &report);
+    limit_donors(const State<dim> &state, const SweepTopology<dim> &topology, RemapSums<dim> &report);
 
     const FlatMesh<dim>         *mesh_;
     const RemapParameters        parameters_;

@@ -7,14 +7,14 @@ namespace whipple
 {
   /// What a look at contacts found and did, all ranks.
   template <int dim>
-  struct ContactReport
+  struct ContactLook
   {
-    long              elements = 0;   ///< that hold mass
-    long              joined   = 0;   ///< elements that took the velocity of their cluster
-    long              clusters = 0;   ///< of them
-    long              deep     = 0;   ///< elements whose middle lies deep in solid of others
-    GatherReport<dim> gathered;       ///< kinetic energy lost by joining, impulse given to walls
-    double            time_to_next{}; ///< us in which approaching elements come no closer than a look should see
+    long          elements = 0;   ///< that hold mass
+    long          joined   = 0;   ///< elements that took the velocity of their cluster
+    long          clusters = 0;   ///< of them
+    long          deep     = 0;   ///< elements whose middle lies deep in solid of others
+    double        time_to_next{}; ///< us in which approaching elements come no closer than a look should see
+    Bookings<dim> bookings;       ///< "contact": kinetic energy lost by joining, impulse given to walls; and the event
   };
 
   /// Find elements of a Lagrangian mesh that lie in one another and join those that approach
@@ -27,7 +27,7 @@ namespace whipple
   /// (gather_velocities). Collective; the same bits on any number of ranks. Elements go to the ranks that own the bins
   /// they touch; every rank learns of the elements in contact, not of the others.
   template <int dim>
-  ContactReport<dim>
+  ContactLook<dim>
   join_contacts(const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain);
 
   /// When to look for contacts. The first look is due at once.
@@ -57,9 +57,9 @@ namespace whipple
     /// @param dt the present time step, us
     template <int dim>
     void
-    looked(long step, double dt, const ContactReport<dim> &report)
+    looked(long step, double dt, const ContactLook<dim> &look)
     {
-      const double steps = report.time_to_next / dt;
+      const double steps = look.time_to_next / dt;
       next_              = step + (!(steps >= 1.) ? 1 : steps < most_steps ? static_cast<long>(steps) : most_steps);
     }
 
@@ -72,10 +72,10 @@ namespace whipple
   /// Whether joining has failed: so many elements lie deep in others that the state is no longer one of matter.
   template <int dim>
   bool
-  overlap_is_deep(const ContactReport<dim> &report)
+  overlap_is_deep(const ContactLook<dim> &look)
   {
     constexpr double share = 0.02;
     constexpr long   least = 8;
-    return report.deep >= least && static_cast<double>(report.deep) > share * static_cast<double>(report.elements);
+    return look.deep >= least && static_cast<double>(look.deep) > share * static_cast<double>(look.elements);
   }
 } // namespace whipple

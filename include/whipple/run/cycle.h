@@ -72,8 +72,6 @@ namespace whipple
     /// Pressures and sound speeds in the halo: where those of the owned cells need no second evaluation.
     void
     exchange_pressures(Derived &derived) const;
-    void
-    book(const LagrangeReport<dim> &motion, const RemapReport<dim> &remap, Ledger<dim> &ledger) const;
 
     const FieldLayout                            &layout_;
     const FlatMesh<dim>                          &mesh_;

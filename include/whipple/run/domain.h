@@ -3,9 +3,9 @@
 
 #include <whipple/mesh/forest.h>
 #include <whipple/problem/field_layout.h>
+#include <whipple/state/bookings.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/packet_layout.h>
-#include <whipple/state/velocity_gather.h>
 
 #include <memory>
 #include <vector>
@@ -29,11 +29,6 @@ namespace whipple
     }
   };
 
-  /// What a gather did on all ranks.
-  template <int dim>
-  GatherReport<dim>
-  sum_over_ranks(GatherReport<dim> report, MPI_Comm communicator);
-
   /// A state without material on the present view, at undeformed positions; the time stays.
   template <int dim>
   void
@@ -42,7 +37,7 @@ namespace whipple
   /// Fill a cleared state from the packets of this rank's leaves: cells, halo, then nodes. Collective.
   /// @returns what the averaging of velocities lost and the walls took, all ranks
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   unpack_leaves(const FieldLayout &fields, const CellPacketLayout<dim> &layout, const std::vector<CellPacket> &packets,
                 const Boundaries<dim> &boundaries, KineticLoss loss, Domain<dim> &domain);
 

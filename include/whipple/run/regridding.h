@@ -43,10 +43,13 @@ namespace whipple
     Fit
     fit(const Domain<dim> &domain) const;
 
+    /// What a regrid is called in the books.
+    static constexpr const char *cause = "regrid";
+
     /// Follow the material: refine, coarsen and repartition with all contents, flatten anew. Reads domain.derived.
     /// @param entering bodies about to be painted, for which the mesh is prepared as well
     /// @returns what the averaging of velocities lost and the walls took, all ranks
-    GatherReport<dim>
+    Booking<dim>
     regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering = {}) const;
 
     /// Cells next to the edge of the active region (and their neighbours): no material may be in them when a step

@@ -80,6 +80,10 @@ namespace whipple
     steps_undone(const RunBooks<dim> &books);
 
   private:
+    /// A row of statistics.csv.
+    void
+    write_statistics(const StepNews &news, const ConservedTotals<dim> &present, const RunState<dim> &run);
+
     void
     write_fields(const Stage &stage, RunState<dim> &run);
 

@@ -3,27 +3,12 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/state/booking.h>
 #include <whipple/state/corner_velocity.h>
 #include <whipple/state/fields.h>
 
 namespace whipple
 {
-  /// What becomes of kinetic energy that averaging velocities loses.
-  enum class KineticLoss
-  {
-    heat, ///< given to the internal energy of the cell that lost it, by mass
-    drop  ///< only booked (the choice of 1993)
-  };
-
-  /// What a gather did, summed over owned cells.
-  template <int dim>
-  struct GatherReport
-  {
-    double kinetic_loss = 0;    ///< Mbar cm^3 lost by the nodes; heats the cells or is dropped. Never negative
-                                ///< beyond round-off.
-    Vector<dim> wall_impulse{}; ///< g cm/us given to reflecting sides, which allow no normal velocity
-  };
-
   /// Make nodes of corner velocities: node masses m = C^T (corner masses) and v = momentum / mass, so that
   /// momentum is exact; hanging nodes give half their momentum to each master and follow them. Corner masses
   /// are corner_weight * cell mass. Corners that agree keep their bits. Nodes on
@@ -35,8 +20,10 @@ namespace whipple
   ///
   /// Works on all cells and nodes; corner values in the halo must be the owners'.
   /// @param state  masses, corner weights in; velocity, node_mass (and energy) out
+  /// @returns summed over owned cells: kinetic energy converted (never less than 0 beyond round-off) and, as what left,
+  ///          the impulse given to reflecting sides, which allow no normal velocity
   template <int dim>
-  GatherReport<dim>
+  Booking<dim>
   gather_velocities(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const CornerVelocities<dim> &corners,
                     KineticLoss loss, State<dim> &state);
 

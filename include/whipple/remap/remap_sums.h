@@ -2,25 +2,12 @@
 #pragma once
 
 #include <whipple/mesh/index.h>
+#include <whipple/state/bookings.h>
 
 #include <array>
-#include <vector>
 
 namespace whipple
 {
-  /// Choices of the remap.
-  struct RemapParameters
-  {
-    bool second_order = true; ///< limited linear reconstruction; false: donor values
-    bool kinetic_loss_to_heat =
-        true; ///< kinetic energy lost by the remap heats the material; false: dropped (1993), only booked
-    double remnant_fraction = 1e-6; ///< a donor that would keep less than this share of its volume gives all
-    double advection_limit  = 0.45; ///< largest displacement of a node in a step, in edges of the cells around it
-
-    /// [material] c^2 where it is cold and free of pressure, cm^2/us^2; 0 for gases. What is not listed is a gas.
-    std::vector<double> cold_stiffness{};
-  };
-
   /// What crossed one side of the domain outwards (inwards: negative).
   template <int dim>
   struct SideFlux
@@ -31,11 +18,11 @@ namespace whipple
     double      internal = 0; ///< Mbar cm^3
   };
 
-  /// Ledger entries of remap sweeps on this rank's owned cells; sums of reports over sweeps and ranks are
-  /// global totals:  kinetic_after = kinetic_before - kinetic_lost - sum of sides' kinetic,
+  /// Sums of remap sweeps over this rank's owned cells; bookings() is how they go into the ledger. Added up over sweeps
+  /// and ranks they are global totals:  kinetic_after = kinetic_before - kinetic_lost - sum of sides' kinetic,
   /// internal_after = internal_before + kinetic_heated - sum of sides' internal.
   template <int dim>
-  struct RemapReport
+  struct RemapSums
   {
     std::array<SideFlux<dim>, 2 * dim> side{};             ///< 2 * axis + {0 lower, 1 upper}
     double                             kinetic_lost   = 0; ///< by mixing momentum, Mbar cm^3
@@ -45,8 +32,8 @@ namespace whipple
     double                             compressed     = 0;   ///< volume by which overfull cells were cut back, cm^3
     Index                              cells_compressed = 0; ///< by more than a millionth of the cell
 
-    RemapReport &
-    operator+=(const RemapReport &other)
+    RemapSums &
+    operator+=(const RemapSums &other)
     {
       for (int s = 0; s < 2 * dim; ++s)
         {
@@ -64,5 +51,8 @@ namespace whipple
       cells_compressed += other.cells_compressed;
       return *this;
     }
+
+    Bookings<dim>
+    bookings(KineticLoss loss) const;
   };
 } // namespace whipple

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/remap/remap_sums.h>
+#include <whipple/state/conversion.h>
+
+namespace whipple
+{
+  namespace
+  {
+    const char *const            remap = "remap";
+    const ConversionRegistration registration(40, remap, ConversionRegistry::Listed::each_step);
+  } // namespace
+
+  template <int dim>
+  Bookings<dim>
+  RemapSums<dim>::bookings(KineticLoss loss) const
+  {
+    ConservedTotals<dim> left;
+    for (const SideFlux<dim> &flux : side)
+      {
+        left.mass += flux.mass;
+        left.internal_energy += flux.internal;
+        left.kinetic_energy += flux.kinetic;
+        for (int d = 0; d < dim; ++d)
+          left.momentum[d] += flux.momentum[d];
+      }
+    Bookings<dim> result;
+    result.leave("sides of the domain", left);
+    result.enter(remap, lost_kinetic_energy<dim>(kinetic_lost, loss));
+    result.enter("overfull cells compressed",
+                 {.event = Event{static_cast<double>(cells_compressed), compressed, "cm^3"}});
+    return result;
+  }
+
+  template struct RemapSums<2>;
+} // namespace whipple
