@@ -40,8 +40,9 @@ namespace whipple::bench
   bool
   has_effects(const std::vector<std::string> &effects)
   {
-    return std::all_of(effects.begin(), effects.end(),
-                       [](const std::string &effect) { return EffectRegistry<2>::all().contains(effect); });
+    return std::all_of(effects.begin(), effects.end(), [](const std::string &effect) {
+      return StepOptionRegistry::all().contains(effect) || EffectRegistry<2>::find(effect);
+    });
   }
 
   CycleRun::CycleRun(const Scene<2> &scene, const FieldLayout &layout, const FlatPartition<2> &view, State<2> state)

@@ -5,10 +5,12 @@
 set(WHIPPLE_FLAT
     source/effect/body_tags.cc
     source/effect/effect.cc
+    source/effect/effect_books.cc
     source/effect/failure.cc
     source/effect/fragment_size.cc
     source/effect/heat_conduction.cc
     source/effect/melting.cc
+    source/effect/scene_outlook.cc
     source/effect/strength.cc
     source/effect/voids.cc
     source/exact/blake.cc
@@ -239,6 +241,7 @@ set(WHIPPLE_DEALII
     source/scene/material_effects.cc
     source/scene/materials_section.cc
     source/scene/mesh_section.cc
+    source/scene/model_constant.cc
     source/scene/nearest_name.cc
     source/scene/numerics_section.cc
     source/scene/output_section.cc

@@ -42,12 +42,12 @@ namespace whipple::model_reference
     }
 
     void
-    write_constants(std::ostream &text, const ModelDescription &model)
+    write_constants(std::ostream &text, const std::vector<ModelConstant> &constants)
     {
-      if (model.constants.empty())
+      if (constants.empty())
         return;
       text << "\n| constant | unit | allowed | unless given | meaning |\n|---|---|---|---|---|\n";
-      for (const ModelConstant &c : model.constants)
+      for (const ModelConstant &c : constants)
         text << "| `" << c.key << "` | " << unit(c) << " | " << (c.quantity == "text" ? "" : c.range.text()) << " | "
              << otherwise(c) << " | " << c.documentation << " |\n";
     }
@@ -85,10 +85,27 @@ namespace whipple::model_reference
     write_model(std::ostream &text, const ModelDescription &model)
     {
       text << "\n### " << model.name << "\n\n" << model.summary << ". " << model.documentation << "\n";
-      write_constants(text, model);
+      write_constants(text, model.constants);
       write_published(text, model);
       if (!model.source.empty())
         text << "\nSource: " << model.source << ".\n";
+    }
+
+    std::string
+    booked(const BookingDescription &booking)
+    {
+      switch (booking.kind)
+        {
+        case BookingKind::converts:
+          return booking.documentation + " (converted, Mbar cm^3)";
+        case BookingKind::leaves:
+          return booking.documentation + " (left the problem, or came in where negative)";
+        case BookingKind::drops:
+          return booking.documentation + " (dropped)";
+        case BookingKind::notes:
+          break;
+        }
+      return booking.documentation + " (an event, " + booking.unit + ")";
     }
 
     void
@@ -104,6 +121,11 @@ namespace whipple::model_reference
         text << "* needs: a material with a model under `" << effect.family << "`\n";
       for (const std::string &other : effect.requires_on)
         text << "* needs: the effect `" << other << "`\n";
+      for (const BookingDescription &booking : effect.bookings)
+        text << "* enters in the books: " << booked(booking) << " under `" << booking.cause << "`\n";
+      if (!effect.parameters.empty())
+        text << "* parameters, section `Effects/" << effect.name << "`:\n";
+      write_constants(text, effect.parameters);
     }
   } // namespace
 
@@ -111,9 +133,16 @@ namespace whipple::model_reference
   overview()
   {
     std::ostringstream text;
-    text << "Effects a scene can switch on (Effects/List); one that is off costs nothing.\n\n";
-    for (const EffectDescription &effect : effect_descriptions())
+    const auto         line = [&text](const EffectDescription &effect) {
       text << "  " << std::left << std::setw(18) << effect.name << effect.summary << '\n';
+    };
+    text << "What a scene can switch on (Effects/List); what is off costs nothing.\n\n"
+            "Options of the step, which works with them where they are on:\n";
+    for (const auto &[name, option] : StepOptionRegistry::all())
+      line(option);
+    text << "\nEffects, each a pass after the Lagrange step, in this order:\n";
+    for (const auto &[key, entry] : EffectRegistry<2>::all())
+      line(entry.description);
     for (const ModelFamily &family : model_families())
       {
         text << "\n" << family.key << ", chosen by Materials/NAME/" << family.key;
@@ -141,9 +170,14 @@ namespace whipple::model_reference
            "units (`345 MPa`); the tables give the internal ones. A constant that the scene does not give comes from "
            "what "
            "the model's own source publishes for the library material, then from the library "
-           "(`whipple help materials`), then from the default.\n\n## Effects\n";
-    for (const EffectDescription &effect : effect_descriptions())
-      write_effect(text, effect);
+           "(`whipple help materials`), then from the default.\n\n## Options of the step\n\n"
+           "Listed as effects are; the Lagrange step and the models of the materials work with them where they are "
+           "on.\n";
+    for (const auto &[name, option] : StepOptionRegistry::all())
+      write_effect(text, option);
+    text << "\n## Effects\n\nEach does its work in a pass after the Lagrange step, in this order.\n";
+    for (const auto &[key, entry] : EffectRegistry<2>::all())
+      write_effect(text, entry.description);
     for (const ModelFamily &family : model_families())
       {
         text << "\n## " << family.key << "\n\n`Materials/NAME/" << family.key << "`";

@@ -25,26 +25,64 @@ namespace whipple
   }
 
   template <int dim>
-  std::vector<std::unique_ptr<EffectPass<dim>>>
-  make_passes(const std::vector<std::string> &effects, const EffectSetup<dim> &setup)
+  double
+  EffectSetup<dim>::parameter(const std::string &key) const
   {
-    std::vector<std::unique_ptr<EffectPass<dim>>> passes;
-    for (const auto &[name, entry] : EffectRegistry<dim>::all())
-      if (entry.make && std::find(effects.begin(), effects.end(), name) != effects.end())
-        passes.push_back(entry.make(setup));
+    const auto found = parameters.find(key);
+    if (found == parameters.end())
+      throw std::logic_error("the effect has no parameter '" + key + "'");
+    return found->second;
+  }
+
+  template <int dim>
+  EffectPasses<dim>
+  make_passes(const std::vector<std::string> &on, const FlatMesh<dim> &mesh, const std::vector<Material> &materials,
+              const std::vector<FieldDescription> &fields, const std::map<std::string, EffectParameters> &parameters)
+  {
+    EffectPasses<dim>               passes;
+    std::vector<BookingDescription> causes;
+    for (const auto &[key, entry] : EffectRegistry<dim>::all())
+      if (std::find(on.begin(), on.end(), key.second) != on.end())
+        {
+          const auto own = parameters.find(key.second);
+          passes.pass.push_back(
+              entry.make({mesh, materials, fields, own == parameters.end() ? EffectParameters() : own->second}));
+          causes.insert(causes.end(), entry.description.bookings.begin(), entry.description.bookings.end());
+        }
+    passes.books = EffectBooks<dim>(causes);
     return passes;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  converted_by_effects(const std::vector<std::string> &on)
+  {
+    std::vector<std::string> causes;
+    for (const auto &[key, entry] : EffectRegistry<dim>::all())
+      if (std::find(on.begin(), on.end(), key.second) != on.end())
+        for (const BookingDescription &booking : entry.description.bookings)
+          if (booking.kind == BookingKind::converts)
+            causes.push_back(booking.cause);
+    return causes;
   }
 
   std::vector<EffectDescription>
   effect_descriptions()
   {
     std::vector<EffectDescription> all;
-    for (const auto &[name, entry] : EffectRegistry<2>::all())
+    for (const auto &[name, option] : StepOptionRegistry::all())
+      all.push_back(option);
+    for (const auto &[key, entry] : EffectRegistry<2>::all())
       all.push_back(entry.description);
+    std::sort(all.begin(), all.end(),
+              [](const EffectDescription &a, const EffectDescription &b) { return a.name < b.name; });
     return all;
   }
 
   template struct EffectSetup<2>;
-  template std::vector<std::unique_ptr<EffectPass<2>>>
-  make_passes(const std::vector<std::string> &, const EffectSetup<2> &);
+  template EffectPasses<2>
+  make_passes(const std::vector<std::string> &, const FlatMesh<2> &, const std::vector<Material> &,
+              const std::vector<FieldDescription> &, const std::map<std::string, EffectParameters> &);
+  template std::vector<std::string>
+  converted_by_effects<2>(const std::vector<std::string> &);
 } // namespace whipple

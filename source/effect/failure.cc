@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
+#include <whipple/error.h>
 #include <whipple/hydro/plasticity.h>
 #include <whipple/hydro/solid_state.h>
 
@@ -22,11 +23,11 @@ namespace whipple
       }
 
       void
-      advance(State<2> &state, const Derived &derived, const StepWork<2> &before, double dt) override
+      advance(const EffectStep<2> &step) override
       {
         for (std::size_t m = 0; m < materials_.size(); ++m)
           if (materials_[m].failure)
-            advance_material(state, derived.material[m].pressure, before.material[m], dt, m);
+            advance_material(step.state, step.derived.material[m].pressure, step.before.material[m], step.dt, m);
       }
 
     private:
@@ -70,7 +71,36 @@ namespace whipple
       std::vector<double>          true_density_, solid_pressure_, equivalent_stress_, plastic_increment_;
     };
 
+    /// Tension / spall strength from which material breaks; waves focus, so well below 1.
+    constexpr double least_tension = 0.5;
+
+    EffectVerdict
+    judge(const SceneOutlook &outlook)
+    {
+      if (!outlook.any_has(&Material::failure))
+        return off_without_model("Failure");
+      if (!outlook.is_known())
+        return kept_unknown();
+      const double ratio = outlook.largest(&Encounter::tension);
+      const bool   on    = ratio > least_tension;
+      return {"", on, ratio,
+              std::string("tension / spall strength") + (on ? ": what breaks must stay broken" : ": nothing breaks")};
+    }
+
+    /// Without strength a model that goes by plastic strain would have nothing to go by.
+    void
+    check(const std::vector<NamedMaterial> &materials, const std::function<bool(const std::string &)> &is_on)
+    {
+      if (!is_on("failure") || is_on("strength"))
+        return;
+      for (const NamedMaterial &material : materials)
+        if (const auto &failure = material.model.failure; failure && failure->needs_strength())
+          throw InputError("'failure' of material '" + material.name + "' ('" + failure->name() +
+                           "') goes by plastic strain: add the effect 'strength', or choose another failure model");
+    }
+
     const EffectRegistration<2> registration(
+        10,
         {
             .name    = "failure",
             .summary = "damage: what has failed stays without tensile strength and without yield stress",
@@ -81,6 +111,9 @@ namespace whipple
             .fields      = {{"damage", "1", Carrier::mass}},
             .family      = "Failure",
             .requires_on = {"voids"},
+            .judge       = judge,
+            .leave_out   = [](Material &material) { material.failure = nullptr; },
+            .check       = check,
         },
         [](const EffectSetup<2> &setup) { return std::make_unique<FailurePass>(setup); });
   } // namespace

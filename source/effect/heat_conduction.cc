@@ -11,8 +11,8 @@ namespace whipple
 {
   namespace
   {
-    /// Share of the explicit stability limit that the time step may use.
-    constexpr double safety = 0.5;
+    /// Under which the books have the heat that went from one cell to another.
+    constexpr const char *cause = "conducted heat";
 
     /// Explicit heat conduction between cells that share a face, doc/theory/heat_conduction.md.
     class ConductionPass : public EffectPass<2>
@@ -21,6 +21,7 @@ namespace whipple
       explicit ConductionPass(const EffectSetup<2> &setup)
         : mesh_(setup.mesh)
         , materials_(setup.materials)
+        , share_(setup.parameter("Share of the stable step"))
         , true_density_(setup.mesh.n_cells)
         , material_temperature_(setup.mesh.n_cells)
         , melt_fraction_(setup.mesh.n_cells)
@@ -28,6 +29,7 @@ namespace whipple
         , temperature_(setup.mesh.n_cells)
         , conductivity_(setup.mesh.n_cells)
         , capacity_(setup.mesh.n_cells)
+        , gained_(setup.mesh.n_owned)
       {
         for (auto &component : centre_)
           component.resize(setup.mesh.n_cells);
@@ -43,12 +45,26 @@ namespace whipple
         return true;
       }
 
-      void
-      advance(State<2> &state, const Derived &, const StepWork<2> &, double dt) override
+      bool
+      leaves_out_halo() const override
       {
+        return true;
+      }
+
+      void
+      advance(const EffectStep<2> &step) override
+      {
+        State<2> &state = step.state;
         evaluate_cells(state);
         for (int axis = 0; axis < 2; ++axis)
-          find_fluxes(state, axis, dt);
+          find_fluxes(state, axis, step.dt);
+        double moved = 0;
+        for (Index cell = 0; cell < mesh_.n_owned; ++cell)
+          {
+            gained_[cell] = gain(cell);
+            moved += std::max(gained_[cell], 0.);
+          }
+        step.books.convert(cause, moved);
         for (std::size_t m = 0; m < materials_.size(); ++m)
           if (materials_[m].conduction)
             {
@@ -57,7 +73,7 @@ namespace whipple
               std::vector<double> &e = state.material[m].energy;
               for (Index cell = 0; cell < mesh_.n_owned; ++cell)
                 if (state.material[m].mass[cell] > 0)
-                  e[cell] += gain(cell) * c / capacity_[cell];
+                  e[cell] += gained_[cell] * c / capacity_[cell];
             }
       }
 
@@ -73,7 +89,7 @@ namespace whipple
                                  (materials_[m].eos->reference_density() * materials_[m].thermal->specific_heat()));
         for (Index cell = 0; cell < mesh_.n_owned; ++cell)
           {
-            const double extent = smallest_edge(state, cell), dt = safety * extent * extent / (4. * diffusivity);
+            const double extent = smallest_edge(state, cell), dt = share_ * extent * extent / (4. * diffusivity);
             if (dt < limit.dt && holds_material(state, cell))
               limit = {dt, "heat conduction", cell};
           }
@@ -219,28 +235,58 @@ namespace whipple
 
       const FlatMesh<2>                 &mesh_;
       const std::vector<Material>       &materials_;
+      double                             share_; ///< of the stable time step that is used
       std::vector<double>                true_density_, material_temperature_, melt_fraction_, material_conductivity_;
       std::vector<double>                temperature_;  ///< K
       std::vector<double>                conductivity_; ///< Mbar cm^2/(us K), of the cell with its voids
       std::vector<double>                capacity_;     ///< heat capacity of the cell, Mbar cm^3/K
+      std::vector<double>                gained_;       ///< heat of the owned cells in this step, Mbar cm^3
       std::vector<double>                conductance_;  ///< of the faces of one axis, Mbar cm^3/(us K)
       std::vector<double>                difference_;   ///< of the temperatures across them, K
       std::array<std::vector<double>, 2> heat_;   ///< through the faces of each axis, downwards along it, Mbar cm^3
       std::array<std::vector<double>, 2> centre_; ///< cm
     };
 
+    /// Diffusion length / cell from which heat leaves its cell.
+    constexpr double least_diffusion_cells = 0.5;
+
+    EffectVerdict
+    judge(const SceneOutlook &outlook)
+    {
+      double length = 0;
+      for (const NamedMaterial &material : outlook.materials)
+        if (const Material &m = material.model; m.conduction && m.thermal)
+          length = std::max(length, std::sqrt(m.conduction->reference_conductivity() * outlook.joined_duration /
+                                              (m.eos->reference_density() * m.thermal->specific_heat())));
+      if (length == 0)
+        return off_without_model("Conduction");
+      const double cells = length / outlook.finest_cell;
+      const bool   on    = cells > least_diffusion_cells;
+      return {"", on, cells,
+              "diffusion length in the " + rounded(outlook.joined_duration) + " us in which cells are joined / cell" +
+                  (on ? ": heat crosses cells" : ": heat stays in its cell")};
+    }
+
     const EffectRegistration<2> registration(
+        30,
         {
             .name    = "heat conduction",
             .summary = "heat flows down the temperature gradient",
             .documentation =
                 "Explicit, between cells that share a face; fragments that share none keep their heat. In 20 "
                 "us heat diffuses 0.04 mm in aluminium, less than a cell of the shield case: off unless a "
-                "scene lasts long or has thin layers. It limits the time step to an eighth of h^2 over the "
+                "scene lasts long or has thin layers. It limits the time step to a share of h^2/4 over the "
                 "diffusivity, far above what sound allows on cells of more than a micrometre.",
-            .fields      = {},
-            .family      = "Conduction",
-            .requires_on = {},
+            .family     = "Conduction",
+            .parameters = {{"Share of the stable step",
+                            "pure number",
+                            "of the largest time step at which explicit conduction is stable on square cells; above "
+                            "one half cells beside nearly empty ones may oscillate",
+                            {.lower = 0., .upper = 1., .lower_excluded = true},
+                            0.5}},
+            .bookings   = {{BookingKind::converts, cause, "heat that went from one cell to another"}},
+            .judge      = judge,
+            .leave_out  = [](Material &material) { material.conduction = nullptr; },
         },
         [](const EffectSetup<2> &setup) { return std::make_unique<ConductionPass>(setup); });
   } // namespace

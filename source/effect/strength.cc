@@ -5,20 +5,40 @@ namespace whipple
 {
   namespace
   {
-    const EffectRegistration<2> registration({
+    /// Shock pressure / yield stress that leaves no room for strength.
+    constexpr double least_stress_ratio = 1e4;
+
+    EffectVerdict
+    judge(const SceneOutlook &outlook)
+    {
+      if (!outlook.any_has(&Material::strength))
+        return off_without_model("Strength");
+      if (!outlook.is_known())
+        return kept_unknown();
+      const double ratio = outlook.least(&Encounter::stress);
+      const bool   on    = ratio < least_stress_ratio;
+      return {
+          "", on, ratio,
+          "shock pressure / yield stress" +
+              std::string(on ? ": flow stops, and holes and craters end, where the pressure has fallen to the yield "
+                               "stress"
+                             : ": hydrodynamic throughout")};
+    }
+
+    const StepOptionRegistration registration({
         .name    = "strength",
         .summary = "elastic-plastic flow: deviatoric stress with radial return to the yield surface",
         .documentation =
             "Shear stress of the solid, turned with the material (Jaumann rate), limited by the yield stress "
             "of the material's strength model, scaled with 1 - phi. Matters where the shock pressure is no "
-            "more than some ten times the yield stress, and late, when the pressure is gone. Its work is "
-            "part of the Lagrange step.",
-        .fields      = {{"deviatoric stress 00", "Mbar", Carrier::volume},
-                        {"deviatoric stress 11", "Mbar", Carrier::volume},
-                        {"deviatoric stress 01", "Mbar", Carrier::volume},
-                        {"plastic strain", "1", Carrier::mass}},
-        .family      = "Strength",
-        .requires_on = {},
+            "more than some ten times the yield stress, and late, when the pressure is gone.",
+        .fields    = {{"deviatoric stress 00", "Mbar", Carrier::volume},
+                      {"deviatoric stress 11", "Mbar", Carrier::volume},
+                      {"deviatoric stress 01", "Mbar", Carrier::volume},
+                      {"plastic strain", "1", Carrier::mass}},
+        .family    = "Strength",
+        .judge     = judge,
+        .leave_out = [](Material &material) { material.strength = nullptr; },
     });
   } // namespace
 } // namespace whipple

@@ -44,7 +44,7 @@ namespace whipple
     , lost_kinetic_energy_(stage.lost_kinetic_energy)
     , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
   {
-    passes_ = make_passes<dim>(scene.effects, {mesh, layout.materials, layout.fields});
+    effects_ = make_passes<dim>(scene.effects, mesh, layout.materials, layout.fields, scene.effect_parameters);
     if (stage.mode == StageMode::eulerian)
       remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage, layout.materials));
   }
@@ -73,9 +73,9 @@ namespace whipple
     if (remap_)
       if (const AdvectionLimit own = remap_->time_step(state); own.dt < limit.dt)
         limit = {own.dt, "advection", own.cell};
-    if (!passes_.empty())
+    if (!effects_.pass.empty())
       agree(communicator, [&] {
-        for (const auto &pass : passes_)
+        for (const auto &pass : effects_.pass)
           if (const TimeStepLimit own = pass->time_step(state); own.dt < limit.dt)
             limit = own;
       });
@@ -138,14 +138,24 @@ namespace whipple
 
   template <int dim>
   void
-  Cycle<dim>::run_passes(State<dim> &state, Derived &derived, double dt)
+  Cycle<dim>::run_passes(State<dim> &state, Derived &derived, double dt, const std::function<void()> &meet)
   {
-    if (passes_.empty())
+    if (effects_.pass.empty())
       return;
+    effects_.books.clear(); // of a step that failed, too
+    const EffectHalo<dim> halo(halo_, meet);
     lagrange_.evaluate_pressure(state, derived);
-    for (const auto &pass : passes_)
+    bool stale = false;
+    for (const auto &pass : effects_.pass)
       {
-        pass->advance(state, derived, lagrange_.before(), dt);
+        if (stale)
+          {
+            meet();
+            exchange(state);
+            exchange_pressures(derived);
+          }
+        pass->advance({state, derived, lagrange_.before(), dt, halo, effects_.books});
+        stale = pass->leaves_out_halo();
         if (pass->changes_energy())
           lagrange_.evaluate_pressure(state, derived);
       }
@@ -158,9 +168,9 @@ namespace whipple
   {
     const MPI_Comm    communicator = halo_.communicator();
     LagrangeSums<dim> motion;
-    agree(communicator, [&] {
+    agree_in_parts(communicator, [&](const auto &meet) {
       motion = lagrange_.advance(state, derived, dt, rigid);
-      run_passes(state, derived, dt);
+      run_passes(state, derived, dt, meet);
     });
     exchange(state);
     RemapSums<dim> remap;
@@ -174,13 +184,14 @@ namespace whipple
           }
         agree(communicator, [&] { remap_->finish(state); });
       }
-    if (remap_ || passes_.empty())
+    if (remap_ || effects_.pass.empty())
       lagrange_.evaluate_pressure(state, derived);
     else
       exchange_pressures(derived);
     lagrange_.evaluate_strength(state, derived);
     Bookings<dim> bookings = remap_ ? remap.bookings(lost_kinetic_energy_) : Bookings<dim>{};
     bookings += motion.bookings();
+    bookings += effects_.books.bookings();
     ledger.enter(sum_over_ranks(bookings, communicator));
   }
 

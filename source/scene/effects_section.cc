@@ -3,6 +3,7 @@
 #include <whipple/error.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/material_effects.h>
+#include <whipple/scene/model_constant.h>
 #include <whipple/scene/refinement_criterion.h>
 #include <whipple/scene/sections.h>
 
@@ -60,6 +61,11 @@ namespace whipple::sections
   void
   declare_effects(SceneParameters &parameters)
   {
+    for (const EffectDescription &effect : effect_descriptions())
+      for (const ModelConstant &parameter : effect.parameters)
+        SceneSection(parameters, path + '/' + effect.name)
+            .declare(parameter.key, parameter.default_value ? written(parameter, *parameter.default_value) : "",
+                     parameter.documentation);
     SceneSection(parameters, path)
         .declare("List", "",
                  "any of: " + joined(effect_names()) +
@@ -89,6 +95,25 @@ namespace whipple::sections
           if (!found)
             SceneSection(parameters, "Mesh").reject(key, "no such field in this scene; allowed are " + names);
         }
+    }
+  } // namespace
+
+  namespace
+  {
+    /// Parameters of all effects; those of effects that are off must be right, too, but none must be given.
+    template <int dim>
+    void
+    read_parameters(SceneParameters &parameters, Scene<dim> &scene)
+    {
+      for (const EffectDescription &effect : effect_descriptions())
+        for (const ModelConstant &parameter : effect.parameters)
+          {
+            const SceneSection section(parameters, path + '/' + effect.name);
+            if (section.given(parameter.key))
+              scene.effect_parameters[effect.name][parameter.key] = read_constant(section, parameter);
+            else if (scene.has_effect(effect.name))
+              section.reject(parameter.key, "must be given, " + parameter.range.text());
+          }
     }
   } // namespace
 
@@ -122,6 +147,7 @@ namespace whipple::sections
       }
     if (contains(listed, automatic))
       section.replace("List", joined(scene.effects));
+    read_parameters(parameters, scene);
     check_criteria(parameters, scene);
   }
 

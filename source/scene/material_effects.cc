@@ -2,7 +2,6 @@
 #include <whipple/effect/effect.h>
 #include <whipple/error.h>
 #include <whipple/material/material_factory.h>
-#include <whipple/material/softened_strength.h>
 #include <whipple/scene/material_effects.h>
 
 #include <algorithm>
@@ -31,17 +30,6 @@ namespace whipple::sections
         return chosen_model(family, material.request) != nullptr;
       });
     }
-
-    /// Without these the failure model of a material that is on would have nothing to go by.
-    void
-    check_failure(const SceneMaterial &material, const std::vector<std::string> &effects)
-    {
-      if (!material.complete.failure)
-        return;
-      if (material.complete.failure->needs_strength() && !contains(effects, "strength"))
-        throw InputError("'failure' of material '" + material.name + "' ('" + material.complete.failure->name() +
-                         "') goes by plastic strain: add the effect 'strength', or choose another failure model");
-    }
   } // namespace
 
   void
@@ -59,14 +47,13 @@ namespace whipple::sections
           throw InputError("'" + effect.name + "' needs a material with a model for it; set Materials/NAME/" +
                            effect.family);
       }
-    if (!contains(effects, "voids"))
-      for (const SceneMaterial &material : materials)
-        if (initial_void_fraction(material.complete) > 0.)
-          throw InputError("material '" + material.name + "' is porous ('" + material.complete.void_law->name() +
-                           "'): add the effect 'voids', or choose another void law");
-    if (contains(effects, "failure"))
-      for (const SceneMaterial &material : materials)
-        check_failure(material, effects);
+    const auto                 is_on = [&](const std::string &name) { return contains(effects, name); };
+    std::vector<NamedMaterial> complete;
+    for (const SceneMaterial &material : materials)
+      complete.push_back({material.name, material.complete});
+    for (const EffectDescription &effect : effect_descriptions())
+      if (effect.check)
+        effect.check(complete, is_on);
   }
 
   double
@@ -78,23 +65,14 @@ namespace whipple::sections
   Material
   with_effects(const Material &complete, const std::vector<std::string> &effects)
   {
-    Material material = complete;
-    if (!contains(effects, "strength"))
-      material.strength = nullptr;
-    if (!contains(effects, "voids"))
-      material.void_law = nullptr;
-    if (!contains(effects, "failure"))
-      material.failure = nullptr;
-    if (!contains(effects, "fragment size"))
-      material.fragments = nullptr;
-    if (!contains(effects, "heat conduction"))
-      material.conduction = nullptr;
-    if (contains(effects, "melting") && material.thermal)
-      {
-        material.melts = true;
-        if (material.strength && !material.strength->softens())
-          material.strength = std::make_shared<SoftenedStrength>(material.strength, material.thermal);
-      }
+    Material                             material = complete;
+    const std::vector<EffectDescription> all      = effect_descriptions();
+    for (const EffectDescription &effect : all)
+      if (effect.leave_out && !contains(effects, effect.name))
+        effect.leave_out(material);
+    for (const EffectDescription &effect : all)
+      if (effect.take_up && contains(effects, effect.name))
+        effect.take_up(material);
     return material;
   }
 } // namespace whipple::sections

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/material/material_library.h>
+#include <whipple/scene/model_constant.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 
 namespace whipple::sections
 {
   namespace
   {
     const std::string path = "Materials";
-
-    const units::Quantity &
-    quantity_of(const ModelConstant &constant)
-    {
-      if (const units::Quantity *quantity = units::find_quantity(constant.quantity))
-        return *quantity;
-      throw std::logic_error("model constant '" + constant.key + "' is a '" + constant.quantity +
-                             "', which scenes do not know");
-    }
 
     /// "none | perfectly plastic | linear hardening"
     std::vector<std::string>
@@ -41,18 +31,6 @@ namespace whipple::sections
       for (const std::string &name : choices(family))
         text += (text.empty() ? "" : " | ") + name;
       return text;
-    }
-
-    /// Value of a constant that the scene gives.
-    double
-    read_constant(const SceneSection &section, const ModelConstant &constant)
-    {
-      if (constant.range.infinite && section.text(constant.key) == "infinite")
-        return std::numeric_limits<double>::infinity();
-      const double value = section.quantity(constant.key, quantity_of(constant));
-      if (!constant.range.contains(value))
-        section.reject(constant.key, "must be " + constant.range.text());
-      return value;
     }
 
     MaterialRequest
@@ -96,8 +74,7 @@ namespace whipple::sections
               if (!value)
                 continue;
               request.constants[constant.key] = *value;
-              section.replace(constant.key, std::isinf(*value) ? std::string("infinite")
-                                                               : units::format(*value, quantity_of(constant)));
+              section.replace(constant.key, written(constant, *value));
             }
     }
   } // namespace

@@ -54,7 +54,7 @@ namespace whipple
     bool
     is_listed(SceneParameters &parameters, const std::string &section)
     {
-      std::vector<std::string> parents{"Materials", "Bodies", "Stages"};
+      std::vector<std::string> parents{"Effects", "Materials", "Bodies", "Stages"};
       for (const auto &[name, extra] : ExtraSectionRegistry<2>::all())
         parents.push_back(name);
       for (const std::string &parent : parents)

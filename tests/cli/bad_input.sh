@@ -36,6 +36,11 @@ rejects 'isothermal = true with heat conduction' run "$shield" --set "$set_mater
 rejects 'set Materials/NAME/Thermal model' run "$shield" --set 'Effects/List = strength, voids, melting'
 rejects "'failure' means nothing without 'voids'" run "$shield" --set 'Effects/List = strength, failure'
 rejects "unknown 'everything'" run "$shield" --set 'Effects/List = everything'
+rejects "Effects/heat conduction/Share of the stable step = '2': must be" run "$shield" \
+  --set 'Effects/heat conduction/Share of the stable step = 2'
+rejects 'Effects/fragment size/Void fraction' run "$shield" --set 'Effects/fragment size/Void fraction = 1 cm'
+rejects 'no such key' run "$shield" --set 'Effects/fragment size/Size = 1 cm'
+rejects 'no such section' run "$shield" --set 'Effects/strength/Size = 1 cm'
 rejects 'no_such_table.h5' run "$shield" --set "$set_material/Equation of state = tabulated" \
   --set "$set_material/Table = no_such_table.h5"
 rejects 'must be >= 0 or infinite' run "$shield" --set "$set_material/Spall strength = -1 GPa"

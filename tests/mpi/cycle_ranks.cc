@@ -23,7 +23,7 @@ namespace
     }
 
     void
-    advance(State<2> &, const Derived &, const StepWork<2> &, double) override
+    advance(const EffectStep<2> &) override
     {
       if (in_step_)
         fail();
@@ -54,12 +54,12 @@ namespace
   EffectDescription
   description(const char *name)
   {
-    return {name, "fails on one rank", "Of the tests.", {}, "", {}};
+    return {name, "fails on one rank", "Of the tests."};
   }
 
-  const EffectRegistration<2> step_fails(description("test: step fails"),
+  const EffectRegistration<2> step_fails(900, description("test: step fails"),
                                          [](const EffectSetup<2> &) { return std::make_unique<FailingPass>(true); });
-  const EffectRegistration<2> limit_fails(description("test: limit fails"),
+  const EffectRegistration<2> limit_fails(900, description("test: limit fails"),
                                           [](const EffectSetup<2> &) { return std::make_unique<FailingPass>(false); });
 
   /// What every rank gets to know of a failure in a cycle with an effect; empty if nothing failed here.

@@ -50,20 +50,20 @@ namespace
       , mesh(build(scene.lattice, uniform_keys(scene.lattice)))
       , state(layout.allocate(mesh))
       , lagrange(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
-      , passes(make_passes<2>(scene.effects, {mesh, layout.materials, layout.fields}))
+      , passes(make_passes<2>(scene.effects, mesh, layout.materials, layout.fields, scene.effect_parameters))
       , scratch(material_passes::make_scratch(layout.materials, mesh.n_cells))
     {
       lagrange.evaluate(state, derived);
     }
 
-    Scene<2>                                    scene;
-    FieldLayout                                 layout;
-    FlatMesh<2>                                 mesh;
-    State<2>                                    state;
-    Derived                                     derived;
-    LagrangeStep<2>                             lagrange;
-    std::vector<std::unique_ptr<EffectPass<2>>> passes;
-    material_passes::Scratch                    scratch;
+    Scene<2>                 scene;
+    FieldLayout              layout;
+    FlatMesh<2>              mesh;
+    State<2>                 state;
+    Derived                  derived;
+    LagrangeStep<2>          lagrange;
+    EffectPasses<2>          passes;
+    material_passes::Scratch scratch;
   };
 
   std::vector<std::string>
@@ -90,7 +90,8 @@ namespace
   {
     const Case run("");
     EXPECT_TRUE(run.layout.fields.empty());
-    EXPECT_TRUE(run.passes.empty());
+    EXPECT_TRUE(run.passes.pass.empty());
+    EXPECT_TRUE(run.passes.books.bookings().by_cause().empty());
     const Material &model = run.layout.materials[0];
     EXPECT_FALSE(model.strength || model.void_law || model.failure || model.fragments || model.conduction);
     EXPECT_FALSE(model.melts);
@@ -115,7 +116,7 @@ namespace
   TEST(EffectCost, FullListAllocatesThem)
   {
     const Case run("strength, voids, body tags, melting, failure, fragment size, heat conduction");
-    EXPECT_EQ(run.passes.size(), 3); // failure, fragment size, heat conduction
+    EXPECT_EQ(run.passes.pass.size(), 3); // failure, fragment size, heat conduction
     EXPECT_EQ(run.state.material[0].void_fraction.size(), 8);
     EXPECT_EQ(run.state.material[0].fields.size(), 8);
     const StepWork<2>  &work = run.lagrange.before();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The pass of the effect "heat conduction" alone, on material at rest, against eigenmodes of an insulated box.
+#include "effect_case.h"
 #include "fixed_thermal.h"
 #include "hydro_case.h"
 
-#include <whipple/effect/effect.h>
 #include <whipple/material/constant_conductivity.h>
 #include <whipple/material/mie_grueneisen.h>
 
@@ -66,12 +66,12 @@ namespace
     const double before = totals(state).internal;
 
     const std::vector<FieldDescription> fields;
-    const auto        pass = EffectRegistry<2>::all().at("heat conduction").make({mesh, materials, fields});
-    const StepWork<2> unused;
+    effect_case::LonePass               pass("heat conduction", mesh, materials, fields);
+    const StepWork<2>                   unused;
     for (const double end = 0.1; end - state.time > 1e-12;)
       {
-        const double dt = std::min(pass->time_step(state).dt, end - state.time);
-        pass->advance(state, Derived(), unused, dt);
+        const double dt = std::min(pass.pass().time_step(state).dt, end - state.time);
+        pass.advance(state, Derived(), unused, dt);
         state.time += dt;
       }
 
@@ -121,13 +121,14 @@ namespace
     {
     }
 
-    void
+    /// @returns the heat that the books have as moved
+    double
     conduct(double dt)
     {
-      EffectRegistry<2>::all()
-          .at("heat conduction")
-          .make({mesh, materials, {}})
-          ->advance(state, Derived(), StepWork<2>(), dt);
+      const std::vector<FieldDescription> fields;
+      effect_case::LonePass               pass("heat conduction", mesh, materials, fields);
+      pass.advance(state, Derived(), StepWork<2>(), dt);
+      return pass.books().bookings().of("conducted heat").converted.value();
     }
 
     Lattice<2>            grid{Symmetry::planar, {{0., 0.}}, 1., {{2, 1}}, 0};
@@ -141,8 +142,8 @@ namespace
     TwoCells cells({conductor(3.), conductor(1.)});
     fill(cells.state, 0, 1., 500., 0);
     fill(cells.state, 1, 1., 300., 1);
-    cells.conduct(0.01);
     // 2 * 3 * 1 / (3 + 1) * 200 K over 1 cm through 1 cm^2
+    EXPECT_NEAR(cells.conduct(0.01), 0.01 * 1.5 * 200., 1e-11);
     EXPECT_NEAR(cells.state.material[0].energy[0], 500. - 0.01 * 1.5 * 200., 1e-11);
     EXPECT_NEAR(cells.state.material[1].energy[1], 300. + 0.01 * 1.5 * 200., 1e-11);
   }
@@ -189,11 +190,12 @@ namespace
         const bool odd = (std::lround(mesh.lower[0][cell] / 0.1) + std::lround(mesh.lower[1][cell] / 0.1)) % 2 != 0;
         fill(state, cell, 1., odd ? 200. : 400., 0, odd ? 0.1 : 1.);
       }
-    const auto        pass = EffectRegistry<2>::all().at("heat conduction").make({mesh, materials, {}});
-    const StepWork<2> unused;
+    const std::vector<FieldDescription> fields;
+    effect_case::LonePass               pass("heat conduction", mesh, materials, fields);
+    const StepWork<2>                   unused;
     for (int i = 0; i < 200; ++i)
       {
-        pass->advance(state, Derived(), unused, pass->time_step(state).dt);
+        pass.advance(state, Derived(), unused, pass.pass().time_step(state).dt);
         for (Index cell = 0; cell < mesh.n_cells; ++cell)
           {
             EXPECT_GE(state.material[0].energy[cell], 200. - 1e-9);
@@ -203,5 +205,22 @@ namespace
     const double mean = totals(state).internal / totals(state).mass;
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       EXPECT_NEAR(state.material[0].energy[cell], mean, 1.);
+  }
+
+  TEST(EffectHeatConductionCells, TimeStepIsTheShareOfTheStableOne)
+  {
+    const TwoCells                      cells({conductor()});
+    State<2>                            state = cells.state;
+    const std::vector<FieldDescription> fields;
+    fill(state, 0, 1., 500., 0);
+    const auto step = [&](double share) {
+      return effect_case::LonePass("heat conduction", cells.mesh, cells.materials, fields,
+                                   {{"Share of the stable step", share}})
+          .pass()
+          .time_step(state)
+          .dt;
+    };
+    EXPECT_DOUBLE_EQ(step(1.), 1. / (4. * diffusivity)); // h = 1 cm
+    EXPECT_DOUBLE_EQ(step(0.25), 0.25 / (4. * diffusivity));
   }
 } // namespace

@@ -1,85 +1,94 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/hydro/step_work.h>
-#include <whipple/hydro/time_step.h>
-#include <whipple/material/material.h>
-#include <whipple/mesh/flat_mesh.h>
-#include <whipple/state/derived.h>
+#include <whipple/effect/effect_pass.h>
+#include <whipple/effect/scene_outlook.h>
+#include <whipple/material/model_description.h>
 #include <whipple/state/fields.h>
 
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+/// What a scene can switch on under `Effects/List`. Each registers itself, in a file of its own (doc/extending.md).
+///
+/// There are two kinds. An **effect** does its work in a pass of its own after the Lagrange step, at a place in the
+/// order of all effects that it names. An **option of the step** has no pass: models or fields that the Lagrange step
+/// and the material models take up where they are there (strength, voids, melting, body tags).
 namespace whipple
 {
-  /// What a scene can switch on: for selection, `whipple help effects`, messages and the manual.
+  /// What effects and options say of themselves: for selection, `whipple help effects`, messages and the manual.
   struct EffectDescription
   {
-    std::string                   name;          ///< in scene files, "heat conduction"
-    std::string                   summary;       ///< one line
-    std::string                   documentation; ///< a paragraph: what it does, when it matters, what it costs
-    std::vector<FieldDescription> fields;        ///< that the state carries for it, in every material
-    std::string                   family;      ///< of models of which at least one material must have one; may be empty
-    std::vector<std::string>      requires_on; ///< effects without which this one has no meaning
+    std::string                   name;             ///< in scene files, "heat conduction"
+    std::string                   summary;          ///< one line
+    std::string                   documentation;    ///< a paragraph: what it does, when it matters, what it costs
+    std::vector<FieldDescription> fields      = {}; ///< that the state carries for it, in every material
+    std::string                   family      = {}; ///< of models of which at least one material must have one
+    std::vector<std::string>      requires_on = {}; ///< others without which this one has no meaning
+
+    /// Entries of the scene's section Effects/NAME. Numbers with a unit and a range; without a default one must be
+    /// given where the effect is on.
+    std::vector<ModelConstant> parameters = {};
+
+    /// Causes under which it enters what it changes.
+    std::vector<BookingDescription> bookings = {};
+
+    /// The verdict of `auto` (its name is filled in). Empty: it is off unless it is listed.
+    std::function<EffectVerdict(const SceneOutlook &)> judge = {};
+
+    /// What a material is without it: the model that only it would use is taken out. Then, what it is with it.
+    std::function<void(Material &)> leave_out = {}, take_up = {};
+
+    /// Throws InputError (one line: what is wrong, what is allowed) if the scene's materials and what is on do not fit,
+    /// asked whether this one is on or not.
+    std::function<void(const std::vector<NamedMaterial> &, const std::function<bool(const std::string &)> &is_on)>
+        check = {};
   };
 
-  /// Position of a field of that name, -1 if nothing registered it.
-  int
-  field_index(const std::vector<FieldDescription> &fields, const std::string &name);
-
-  /// What a pass is made for; all of it outlives the pass.
-  template <int dim>
-  struct EffectSetup
-  {
-    const FlatMesh<dim>                 &mesh;
-    const std::vector<Material>         &materials;
-    const std::vector<FieldDescription> &fields; ///< of the state, in their order
-
-    /// Index of a field of the state.
-    /// @throws std::logic_error if nothing registered it.
-    int
-    field(const std::string &name) const;
-  };
-
-  /// The work of an effect in every cycle, after the Lagrange step: one pass over flat arrays, owned and halo cells.
-  template <int dim>
-  class EffectPass
+  /// All options of the step, by name. Filled before main() by one line at the end of each option's own file,
+  ///
+  ///     const StepOptionRegistration registration({.name = "strength", ...});
+  class StepOptionRegistry
   {
   public:
-    virtual ~EffectPass() = default;
-
-    /// @param state  at the end of the Lagrange step; the pass changes it in place
-    /// @param derived pressures and sound speeds of this state
-    /// @param before what the step started from: volumes, densities, energies, stresses, plastic strains
-    /// @param dt     us
-    virtual void
-    advance(State<dim> &state, const Derived &derived, const StepWork<dim> &before, double dt) = 0;
-
-    /// True if it changes energies: pressures are evaluated anew then.
-    virtual bool
-    changes_energy() const
+    static const std::map<std::string, EffectDescription> &
+    all()
     {
-      return false;
+      return entries();
     }
 
-    /// The largest time step that the owned cells allow this effect.
-    virtual TimeStepLimit
-    time_step(const State<dim> &) const
+  private:
+    friend class StepOptionRegistration;
+
+    static std::map<std::string, EffectDescription> &
+    entries()
     {
-      return {std::numeric_limits<double>::infinity(), "", none};
+      static std::map<std::string, EffectDescription> registry;
+      return registry;
     }
   };
 
-  /// All effects, by name. Filled before main() by one line at the end of each effect's own file,
+  /// Makes an option of the step known.
+  class StepOptionRegistration
+  {
+  public:
+    explicit StepOptionRegistration(const EffectDescription &description)
+    {
+      StepOptionRegistry::entries().emplace(description.name, description);
+    }
+  };
+
+  /// All effects, in the order in which they work. Filled before main() by one line at the end of each effect's own
+  /// file,
   ///
-  ///     const EffectRegistration<2> registration(description, [](const EffectSetup<2> &s) { return ...; });
-  ///
-  /// An effect whose work is part of the Lagrange step itself (strength, voids) makes no pass.
+  ///     const EffectRegistration<2> registration(40, {.name = "failure", ...}, [](const EffectSetup<2> &setup) {
+  ///       return std::make_unique<FailurePass>(setup);
+  ///     });
   template <int dim>
   class EffectRegistry
   {
@@ -88,47 +97,76 @@ namespace whipple
     struct Entry
     {
       EffectDescription description;
-      Make              make; ///< empty: no pass
+      Make              make;
     };
+    /// Place in the order, then name.
+    using Key = std::pair<int, std::string>;
 
-    /// All effects there are, in alphabetical order.
-    static const std::map<std::string, Entry> &
+    static const std::map<Key, Entry> &
     all()
     {
       return entries();
+    }
+
+    /// The effect of that name, null if there is none.
+    static const Entry *
+    find(const std::string &name)
+    {
+      for (const auto &[key, entry] : entries())
+        if (key.second == name)
+          return &entry;
+      return nullptr;
     }
 
   private:
     template <int>
     friend class EffectRegistration;
 
-    static std::map<std::string, Entry> &
+    static std::map<Key, Entry> &
     entries()
     {
-      static std::map<std::string, Entry> registry;
+      static std::map<Key, Entry> registry;
       return registry;
     }
   };
 
-  /// Makes an effect known under its name.
+  /// Makes an effect known.
   template <int dim>
   class EffectRegistration
   {
   public:
-    explicit EffectRegistration(EffectDescription description, typename EffectRegistry<dim>::Make make = {})
+    /// @param place in the order of all effects: smaller ones work first
+    /// @throws std::logic_error, and so ends the program before main(), if there is one of that name
+    EffectRegistration(int place, const EffectDescription &description, typename EffectRegistry<dim>::Make make)
     {
-      const std::string name = description.name;
-      EffectRegistry<dim>::entries().emplace(
-          name, typename EffectRegistry<dim>::Entry{std::move(description), std::move(make)});
+      if (EffectRegistry<dim>::find(description.name))
+        throw std::logic_error("two effects are called '" + description.name + "'");
+      EffectRegistry<dim>::entries().emplace(std::pair(place, description.name),
+                                             typename EffectRegistry<dim>::Entry{description, std::move(make)});
     }
   };
 
-  /// The passes of the effects that are on, in the order of their names.
+  /// Passes of a run and the books that they enter into.
   template <int dim>
-  std::vector<std::unique_ptr<EffectPass<dim>>>
-  make_passes(const std::vector<std::string> &effects, const EffectSetup<dim> &setup);
+  struct EffectPasses
+  {
+    std::vector<std::unique_ptr<EffectPass<dim>>> pass; ///< in the order of their places
+    EffectBooks<dim>                              books;
+  };
 
-  /// Descriptions of all effects, in the order of their names.
+  /// The passes of the effects that are on.
+  /// @param parameters of each, by its name
+  template <int dim>
+  EffectPasses<dim>
+  make_passes(const std::vector<std::string> &on, const FlatMesh<dim> &mesh, const std::vector<Material> &materials,
+              const std::vector<FieldDescription> &fields, const std::map<std::string, EffectParameters> &parameters);
+
+  /// Causes under which the effects that are on enter conversions of energy.
+  template <int dim>
+  std::vector<std::string>
+  converted_by_effects(const std::vector<std::string> &on);
+
+  /// Descriptions of all effects and options there are, by name.
   std::vector<EffectDescription>
   effect_descriptions();
 } // namespace whipple

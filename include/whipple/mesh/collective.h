@@ -41,6 +41,31 @@ namespace whipple
     throw StateError(message);
   }
 
+  /// The same for work that communicates now and then: `work(meet)` calls the collective `meet()` before it does. If a
+  /// rank has failed before, all ranks leave the work there; nobody waits for it.
+  template <typename Work>
+  void
+  agree_in_parts(MPI_Comm communicator, const Work &work)
+  {
+    bool       left = false; // by all ranks: they have met, and one had failed
+    const auto meet = [&] {
+      left = true;
+      agree(communicator, [] {});
+      left = false;
+    };
+    try
+      {
+        work(meet);
+      }
+    catch (const StateError &)
+      {
+        if (left)
+          throw;
+        agree(communicator, [] { throw; });
+      }
+    agree(communicator, [] {});
+  }
+
   /// Sum over the ranks, in rank order where that matters little (counts, wall times).
   inline double
   sum_over_ranks(double value, MPI_Comm communicator)

@@ -9,7 +9,7 @@
 #include <whipple/remap/directional_remap.h>
 #include <whipple/scene/scene.h>
 
-#include <memory>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -65,20 +65,21 @@ namespace whipple
 
   private:
     /// The passes of the effects, each with pressures of the state it gets; they are those of the state afterwards.
+    /// @param meet collective; throws on all ranks if one has failed
     void
-    run_passes(State<dim> &state, Derived &derived, double dt);
+    run_passes(State<dim> &state, Derived &derived, double dt, const std::function<void()> &meet);
     void
     exchange(State<dim> &state) const;
     /// Pressures and sound speeds in the halo: where those of the owned cells need no second evaluation.
     void
     exchange_pressures(Derived &derived) const;
 
-    const FieldLayout                            &layout_;
-    const FlatMesh<dim>                          &mesh_;
-    const Halo<dim>                              &halo_;
-    KineticLoss                                   lost_kinetic_energy_;
-    LagrangeStep<dim>                             lagrange_;
-    std::vector<std::unique_ptr<EffectPass<dim>>> passes_; ///< of the effects that are on and have one
-    std::optional<DirectionalRemap<dim>>          remap_;
+    const FieldLayout                   &layout_;
+    const FlatMesh<dim>                 &mesh_;
+    const Halo<dim>                     &halo_;
+    KineticLoss                          lost_kinetic_energy_;
+    LagrangeStep<dim>                    lagrange_;
+    EffectPasses<dim>                    effects_; ///< that are on
+    std::optional<DirectionalRemap<dim>> remap_;
   };
 } // namespace whipple

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/effect/effect_parameters.h>
+#include <whipple/effect/scene_outlook.h>
 #include <whipple/exact/exact_solution.h>
 #include <whipple/hydro/hydro_parameters.h>
 #include <whipple/material/material_factory.h>
@@ -158,15 +160,6 @@ namespace whipple
     int error_estimate_levels = 0; ///< cell sizes, the scene's own included, that error bars are taken from; 0: none
   };
 
-  /// Whether an effect is on, and why.
-  struct EffectVerdict
-  {
-    std::string           name;
-    bool                  on = false;
-    std::optional<double> number; ///< dimensionless, that decides; none: listed, or nothing to measure
-    std::string           reason; ///< one line
-  };
-
   /// What an extra section (scene/extra_section.h) says; its owner knows what it is.
   struct SectionContent
   {
@@ -184,13 +177,14 @@ namespace whipple
     MeshMap         mesh_map = MeshMap::identity; ///< where the nodes of the lattice, and all bodies on it, start
     MeshControl     mesh;
 
-    std::vector<SceneMaterial> materials;
-    std::vector<std::string>   effects;         ///< names of those that are on
-    std::vector<EffectVerdict> effect_verdicts; ///< for every effect there is
-    std::vector<Body<dim>>     bodies;
-    std::vector<Stage>         stages; ///< at least one
-    Numerics                   numerics;
-    OutputControl              output;
+    std::vector<SceneMaterial>              materials;
+    std::vector<std::string>                effects;           ///< names of those that are on
+    std::vector<EffectVerdict>              effect_verdicts;   ///< for every effect there is
+    std::map<std::string, EffectParameters> effect_parameters; ///< by the name of the effect; of those that have any
+    std::vector<Body<dim>>                  bodies;
+    std::vector<Stage>                      stages; ///< at least one
+    Numerics                                numerics;
+    OutputControl                           output;
 
     std::shared_ptr<const exact::ExactSolution<dim>> exact; ///< what errors are measured against; null: nothing
 

@@ -53,10 +53,10 @@ namespace whipple
     }
   };
 
-  /// What energy converted by a cause is called: "viscous work", "remap loss".
+  /// What energy converted by a cause is called: "viscous work", "conducted heat", "remap loss".
   inline std::string
   conversion_name(const std::string &cause)
   {
-    return cause.ends_with("work") ? cause : cause + " loss";
+    return cause.ends_with("work") || cause.ends_with("heat") ? cause : cause + " loss";
   }
 } // namespace whipple
