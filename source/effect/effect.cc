@@ -53,19 +53,6 @@ namespace whipple
     return passes;
   }
 
-  template <int dim>
-  std::vector<std::string>
-  converted_by_effects(const std::vector<std::string> &on)
-  {
-    std::vector<std::string> causes;
-    for (const auto &[key, entry] : EffectRegistry<dim>::all())
-      if (std::find(on.begin(), on.end(), key.second) != on.end())
-        for (const BookingDescription &booking : entry.description.bookings)
-          if (booking.kind == BookingKind::converts)
-            causes.push_back(booking.cause);
-    return causes;
-  }
-
   std::vector<EffectDescription>
   effect_descriptions()
   {
@@ -83,6 +70,4 @@ namespace whipple
   template EffectPasses<2>
   make_passes(const std::vector<std::string> &, const FlatMesh<2> &, const std::vector<Material> &,
               const std::vector<FieldDescription> &, const std::map<std::string, EffectParameters> &);
-  template std::vector<std::string>
-  converted_by_effects<2>(const std::vector<std::string> &);
 } // namespace whipple

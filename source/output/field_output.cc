@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
 #include <whipple/output/field_output.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/output/snapshot_hdf5.h>
 #include <whipple/output/snapshot_vtu.h>
 
@@ -41,9 +43,7 @@ namespace whipple
     , communicator_(communicator)
     , extra_(std::move(extra))
   {
-    if (rank_in(communicator_) == 0)
-      std::filesystem::create_directories(directory_ + "/fields");
-    MPI_Barrier(communicator_);
+    on_first_rank<Error>(communicator_, [&] { std::filesystem::create_directories(directory_ + "/fields"); });
   }
 
   template <int dim>
@@ -64,8 +64,8 @@ namespace whipple
       {
         series_.grids.push_back(snapshot_hdf5::write(snapshot, directory_ + '/' + stem + ".h5", stem + ".h5", stage,
                                                      snapshot_hdf5::Precision::single_precision, communicator_));
-        if (rank == 0)
-          snapshot_hdf5::write_series(directory_ + "/fields.xdmf", series_.grids);
+        on_first_rank<Error>(communicator_,
+                             [&] { snapshot_hdf5::write_series(directory_ + "/fields.xdmf", series_.grids); });
       }
     if (options_.vtu)
       snapshot_vtu::write(snapshot, directory_ + '/' + stem + ".vtu", communicator_);

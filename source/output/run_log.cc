@@ -73,12 +73,12 @@ namespace whipple
     , interval_(interval_seconds)
     , start_(Clock::now())
   {
-    if (!active_)
-      return;
-    const std::string path = directory + "/log.txt";
-    file_.open(path, earlier == Earlier::kept ? std::ios::app : std::ios::trunc);
-    if (!file_)
-      throw InputError(path + ": cannot be written");
+    on_first_rank<InputError>(communicator, [&] {
+      const std::string path = directory + "/log.txt";
+      file_.open(path, earlier == Earlier::kept ? std::ios::app : std::ios::trunc);
+      if (!file_)
+        throw InputError(path + ": cannot be written");
+    });
   }
 
   RunLog::~RunLog()

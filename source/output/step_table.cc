@@ -44,16 +44,16 @@ namespace whipple
     : path_(path)
     , active_(is_first_rank(communicator))
   {
-    if (!active_)
-      return;
-    if (kept > 0)
-      {
-        columns_ = cut_back(path, kept);
-        kept_    = kept;
-      }
-    file_.open(path, kept > 0 ? std::ios::app : std::ios::trunc);
-    if (!file_)
-      throw InputError(path + ": cannot be written");
+    on_first_rank<InputError>(communicator, [&] {
+      if (kept > 0)
+        {
+          columns_ = cut_back(path, kept);
+          kept_    = kept;
+        }
+      file_.open(path, kept > 0 ? std::ios::app : std::ios::trunc);
+      if (!file_)
+        throw InputError(path + ": cannot be written");
+    });
   }
 
   void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/exact_errors.h>
 #include <whipple/hydro/lagrange_step.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/run/simulation.h>
 #include <whipple/run/stage_loop.h>
 #include <whipple/state/conversion.h>
@@ -233,10 +234,7 @@ namespace whipple
     for (const auto &[cause, booking] : ledger.bookings().by_cause())
       if (booking.event)
         summary.counts.events[cause] = {booking.event->number, booking.event->size, booking.event->unit};
-    int rank = 0;
-    MPI_Comm_rank(communicator, &rank);
-    if (rank == 0)
-      summary::write(summary, directory_);
+    on_first_rank<Error>(communicator, [&] { summary::write(summary, directory_); });
     reporter_.flush();
   }
 
@@ -288,10 +286,7 @@ namespace whipple
     for (const auto &[place, quantities] : error_bars)
       for (const auto &[quantity, bar] : quantities)
         reporter_.result(place, quantity, summary.results.at(place).at(quantity), bar);
-    int rank = 0;
-    MPI_Comm_rank(state_.domain.communicator(), &rank);
-    if (rank == 0)
-      summary::write(summary, directory_);
+    on_first_rank<Error>(state_.domain.communicator(), [&] { summary::write(summary, directory_); });
   }
 
   template class Simulation<2>;

@@ -161,11 +161,6 @@ namespace whipple
   make_passes(const std::vector<std::string> &on, const FlatMesh<dim> &mesh, const std::vector<Material> &materials,
               const std::vector<FieldDescription> &fields, const std::map<std::string, EffectParameters> &parameters);
 
-  /// Causes under which the effects that are on enter conversions of energy.
-  template <int dim>
-  std::vector<std::string>
-  converted_by_effects(const std::vector<std::string> &on);
-
   /// Descriptions of all effects and options there are, by name.
   std::vector<EffectDescription>
   effect_descriptions();

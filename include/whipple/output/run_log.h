@@ -39,7 +39,8 @@ namespace whipple
 
     /// Opens directory/log.txt. Terminal output goes to standard output.
     /// @param live refresh the progress line in place (a terminal); otherwise a plain line now and then
-    /// @throws InputError if the file cannot be written.
+    /// Collective.
+    /// @throws InputError on all ranks if the file cannot be written.
     RunLog(const std::string &directory, MPI_Comm communicator, bool live, Earlier earlier = Earlier::replaced);
 
     /// The same with the terminal given by the caller; `interval_seconds` is the least time between two progress

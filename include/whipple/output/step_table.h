@@ -30,7 +30,8 @@ namespace whipple
   public:
     /// @param kept bytes of a table begun before that stand (as kept_bytes() said); what follows them is cut off. 0: a
     ///             new table
-    /// @throws InputError if the file cannot be written, or is shorter than that.
+    /// Collective.
+    /// @throws InputError on all ranks if the file cannot be written, or is shorter than that.
     StepTable(const std::string &path, MPI_Comm communicator, std::uint64_t kept = 0);
 
     /// Append a row.
