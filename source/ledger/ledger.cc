@@ -11,6 +11,13 @@ namespace whipple
   {
     /// Velocity, cm/us, that is nothing: a problem in which all moves no faster (1 cm/s) has no other scale.
     constexpr double slow = 1e-6;
+
+    /// The size of a difference as a part of a scale; itself where there is none.
+    double
+    relative(double difference, double scale)
+    {
+      return std::abs(scale > 0 ? difference / scale : difference);
+    }
   } // namespace
 
   template <int dim>
@@ -85,8 +92,9 @@ namespace whipple
   double
   Ledger<dim>::energy_scale() const
   {
-    // pistons bring in more than bodies at rest; of bodies at rest round-off alone moves anything
-    return std::max({books_.introduced.kinetic_energy, std::abs(books_.introduced.internal_energy),
+    // pistons bring in more than bodies at rest; matter that enters compressed and without energy makes kinetic energy
+    // out of negative internal energy; of bodies at rest round-off alone moves anything
+    return std::max({books_.introduced.kinetic_energy, std::abs(books_.introduced.internal_energy), books_.energy_seen,
                      std::abs(gone().total_energy()), books_.introduced.mass * slow * slow});
   }
 
@@ -95,47 +103,47 @@ namespace whipple
   Ledger<dim>::imbalance(const ConservedTotals<dim> &present) const
   {
     const ConservedTotals<dim> gone = this->gone();
-    const auto relative = [](double difference, double scale) { return scale > 0 ? difference / scale : difference; };
-    Closure    result;
-    result.mass = relative(present.mass + gone.mass - books_.introduced.mass, books_.introduced.mass);
+    return {present.mass + gone.mass - books_.introduced.mass,
+            present.momentum[axial] + gone.momentum[axial] - books_.introduced.momentum[axial],
+            present.total_energy() + gone.total_energy() - books_.introduced.total_energy()};
+  }
+
+  template <int dim>
+  typename Ledger<dim>::Closure
+  Ledger<dim>::scale() const
+  {
     // bodies at rest that gas or deposited energy sets in motion have no momentum scale but that of the energy
-    const double momentum_scale =
-        std::max(books_.momentum_scale, std::sqrt(2. * books_.introduced.mass * energy_scale()));
-    result.axial_momentum =
-        relative(present.momentum[axial] + gone.momentum[axial] - books_.introduced.momentum[axial], momentum_scale);
-    result.energy =
-        relative(present.total_energy() + gone.total_energy() - books_.introduced.total_energy(), energy_scale());
-    return result;
+    const double energy = energy_scale(), mass = books_.introduced.mass;
+    return {mass, std::max(books_.momentum_scale, std::sqrt(2. * mass * energy)), energy};
   }
 
   template <int dim>
   typename Ledger<dim>::Closure
   Ledger<dim>::closure(const ConservedTotals<dim> &present) const
   {
-    Closure result        = imbalance(present);
-    result.mass           = std::abs(result.mass);
-    result.axial_momentum = std::abs(result.axial_momentum);
-    result.energy         = std::abs(result.energy);
-    return result;
+    const Closure difference = imbalance(present), scale = this->scale();
+    return {relative(difference.mass, scale.mass), relative(difference.axial_momentum, scale.axial_momentum),
+            relative(difference.energy, scale.energy)};
   }
 
   template <int dim>
   void
   Ledger<dim>::check(const ConservedTotals<dim> &present, const std::string &event, double tolerance)
   {
-    const Closure now   = imbalance(present);
-    const auto    judge = [&](const char *quantity, double before, double after) {
-      if (std::abs(after - before) <= tolerance) // false for what is not a number
+    books_.energy_seen = std::max({books_.energy_seen, present.kinetic_energy, std::abs(present.internal_energy)});
+    const Closure now = imbalance(present), scale = this->scale();
+    const auto    judge = [&](const char *quantity, double change, double measure) {
+      if (relative(change, measure) <= tolerance) // false for what is not a number
         return;
       std::ostringstream text;
       text.precision(3);
-      text << std::scientific << event << " changed the " << quantity << " of the problem by " << after - before
-           << " of what was introduced, allowed is " << tolerance;
+      text << std::scientific << event << " changed the " << quantity << " of the problem by "
+           << (measure > 0 ? change / measure : change) << " of its scale, allowed is " << tolerance;
       throw ConservationError(text.str());
     };
-    judge("mass", books_.last.mass, now.mass);
-    judge("axial momentum", books_.last.axial_momentum, now.axial_momentum);
-    judge("total energy", books_.last.energy, now.energy);
+    judge("mass", now.mass - books_.last.mass, scale.mass);
+    judge("axial momentum", now.axial_momentum - books_.last.axial_momentum, scale.axial_momentum);
+    judge("total energy", now.energy - books_.last.energy, scale.energy);
     books_.last = now;
   }
 

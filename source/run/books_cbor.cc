@@ -140,6 +140,7 @@ namespace whipple
               {"momentum_scale", books.momentum_scale},
               {"left", books.left},
               {"bookings", books.bookings},
+              {"energy_seen", books.energy_seen},
               {"last", {books.last.mass, books.last.axial_momentum, books.last.energy}}};
     }
 
@@ -151,6 +152,7 @@ namespace whipple
       j.at("momentum_scale").get_to(books.momentum_scale);
       j.at("left").get_to(books.left);
       j.at("bookings").get_to(books.bookings);
+      j.at("energy_seen").get_to(books.energy_seen);
       books.last = LedgerClosure{j.at("last").at(0), j.at("last").at(1), j.at("last").at(2)};
       return books;
     }

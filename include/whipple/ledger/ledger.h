@@ -20,7 +20,7 @@ namespace whipple
     /// Axis along which momentum is conserved in both symmetries.
     static constexpr int axial = 1;
 
-    /// |present - books| relative to the scale of the quantity.
+    /// |present - books| relative to the scale of the quantity, or itself.
     struct Closure
     {
       double mass = 0, axial_momentum = 0, energy = 0;
@@ -33,7 +33,8 @@ namespace whipple
       double               momentum_scale = 0; ///< sum of sqrt(2 m T) of what was introduced
       ConservedTotals<dim> left;               ///< by all causes together, in the order in which it left
       Bookings<dim>        bookings;
-      Closure              last; ///< imbalance at the last check
+      double  energy_seen = 0; ///< largest kinetic energy, or size of the internal one, at any check, Mbar cm^3
+      Closure last;            ///< imbalance at the last check: g, g cm/us, Mbar cm^3
     };
 
     Ledger() = default;
@@ -72,8 +73,8 @@ namespace whipple
     note(const std::string &cause, double number, double size, const std::string &unit);
 
     /// Compare the books with what is present.
-    /// @param tolerance largest allowed change of the imbalance since the last call, relative to what was
-    ///                  introduced (mass; axial momentum scale; energy)
+    /// @param tolerance largest allowed change of the imbalance since the last call, relative to the mass
+    ///                  introduced, to energy_scale(), and to the momentum that belongs to them
     /// @throws ConservationError naming the event, the quantity and the numbers.
     void
     check(const ConservedTotals<dim> &present, const std::string &event, double tolerance);
@@ -82,8 +83,8 @@ namespace whipple
     Closure
     closure(const ConservedTotals<dim> &present) const;
 
-    /// What energies of the problem are to be measured by: the largest of the kinetic and internal energy introduced,
-    /// of what has gone, and of the introduced mass at 1 cm/s, Mbar cm^3.
+    /// What energies of the problem are to be measured by: the largest of the kinetic and internal energy introduced
+    /// and of those that were present at a check, of what has gone, and of the introduced mass at 1 cm/s, Mbar cm^3.
     double
     energy_scale() const;
 
@@ -109,9 +110,13 @@ namespace whipple
     ConservedTotals<dim>
     gone() const;
 
-    /// present - (introduced - left - dropped), relative to scale.
+    /// present - (introduced - left - dropped).
     Closure
     imbalance(const ConservedTotals<dim> &present) const;
+
+    /// What a difference is measured by.
+    Closure
+    scale() const;
 
     Books books_;
   };
