@@ -56,10 +56,10 @@ namespace whipple::bench
   void
   CycleRun::step()
   {
-    double dt = cycle_.time_step(state_, derived_).dt;
+    double dt = cycle_.time_step(state_, derived_, {}).dt;
     if (last_dt_ > 0)
       dt = std::min(dt, scene_.numerics.growth_limit * last_dt_);
-    cycle_.advance(state_, derived_, dt, steps_ % 2, ledger_);
+    cycle_.advance(state_, derived_, dt, steps_ % 2, {}, ledger_);
     last_dt_ = dt;
     ++steps_;
   }
@@ -72,8 +72,9 @@ namespace whipple::bench
     const Regridding<2> regridding(scene_, layout_);
     Ledger<2>           ledger;
     Handover<2>(scene_, layout_, regridding).enter(scene_.stages[0], nullptr, domain_, ledger);
-    CycleRun run(scene_, layout_, *domain_.view, std::move(domain_.state));
-    while (run.state().time < scene_.stages[0].end.time)
+    CycleRun     run(scene_, layout_, *domain_.view, std::move(domain_.state));
+    const double end = scene_.stages[0].end->fixed_time().value();
+    while (run.state().time < end)
       run.step();
     domain_.state = run.state();
   }

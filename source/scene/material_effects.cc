@@ -5,6 +5,7 @@
 #include <whipple/scene/material_effects.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace whipple::sections
 {
@@ -19,8 +20,11 @@ namespace whipple::sections
     const ModelFamily &
     family_of(const std::string &key)
     {
-      const auto &all = model_families();
-      return *std::find_if(all.begin(), all.end(), [&](const ModelFamily &f) { return f.key == key; });
+      const auto &all   = model_families();
+      const auto  found = std::find_if(all.begin(), all.end(), [&](const ModelFamily &f) { return f.key == key; });
+      if (found == all.end())
+        throw std::logic_error("an effect needs models of a family '" + key + "', which there is not");
+      return *found;
     }
 
     bool
