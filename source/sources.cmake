@@ -113,12 +113,18 @@ set(WHIPPLE_FLAT
     source/projection/cell_motion.cc
     source/projection/debris_selection.cc
     source/projection/deposit.cc
+    source/projection/distended.cc
     source/projection/element.cc
     source/projection/element_pieces.cc
+    source/projection/form_fragments.cc
+    source/projection/fragments.cc
     source/projection/gather_slivers.cc
+    source/projection/group_parcels.cc
     source/projection/intact_cells.cc
     source/projection/laid_transfer.cc
+    source/projection/packages.cc
     source/projection/polygon_clip.cc
+    source/projection/representation.cc
     source/projection/spread_excess.cc
     source/projection/to_eulerian.cc
     source/projection/to_lagrangian.cc

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
-#include <whipple/hydro/solid_state.h>
-
-#include <algorithm>
 
 namespace whipple
 {
@@ -18,9 +15,6 @@ namespace whipple
         , share_(setup.field("fragmented share"))
         , moment_(setup.field("fragment size moment"))
         , broken_(setup.parameter("Void fraction"))
-        , density_(setup.mesh.n_cells)
-        , rate_(setup.mesh.n_cells)
-        , size_(setup.mesh.n_cells)
       {
       }
 
@@ -38,28 +32,50 @@ namespace whipple
       advance_material(MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork &before,
                        double dt, std::size_t m)
       {
-        const Index n = static_cast<Index>(density_.size());
-        solid_state::true_density(material.density, material.void_fraction, materials_[m].eos->reference_density(),
-                                  density_);
-        for (Index c = 0; c < n; ++c)
-          {
-            const bool there = material.density[c] > 0;
-            rate_[c]         = there ? std::max(before.density[c] / material.density[c] - 1., 0.) / dt : 0.;
-          }
-        materials_[m].fragments->evaluate(density_, sound_speed, rate_, size_);
         std::vector<double> &share = material.fields[share_].value, &moment = material.fields[moment_].value;
+        breaking_.clear();
+        const Index n = static_cast<Index>(share.size());
         for (Index c = 0; c < n; ++c)
+          if (material.void_fraction[c] > broken_ && share[c] < 1. && before.density[c] > material.density[c])
+            breaking_.push_back(c);
+        if (breaking_.empty())
+          return;
+        look_at(material, sound_speed, before, dt, m);
+        materials_[m].fragments->evaluate(density_, sound_speed_, rate_, melt_, size_);
+        for (std::size_t i = 0; i < breaking_.size(); ++i)
           {
-            const bool breaks = material.void_fraction[c] > broken_ && rate_[c] > 0. && share[c] < 1.;
-            moment[c]         = breaks ? moment[c] + (1. - share[c]) * size_[c] : moment[c];
-            share[c]          = breaks ? 1. : share[c];
+            const Index c = breaking_[i];
+            moment[c] += (1. - share[c]) * size_[i];
+            share[c] = 1.;
           }
+      }
+
+      /// What the cells are like that break in this step.
+      void
+      look_at(const MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork &before,
+              double dt, std::size_t m)
+      {
+        for (auto *array : {&density_, &energy_, &sound_speed_, &rate_, &size_})
+          array->resize(breaking_.size());
+        for (std::size_t i = 0; i < breaking_.size(); ++i)
+          {
+            const Index c   = breaking_[i];
+            density_[i]     = material.density[c] / (1. - material.void_fraction[c]);
+            energy_[i]      = material.energy[c];
+            sound_speed_[i] = sound_speed[c];
+            rate_[i]        = (before.density[c] / material.density[c] - 1.) / dt;
+          }
+        melt_.assign(materials_[m].melts ? breaking_.size() : 0, 0.);
+        if (!melt_.empty())
+          materials_[m].thermal->evaluate(density_, energy_, {{}, {}, melt_, {}});
       }
 
       const std::vector<Material> &materials_;
       int                          share_, moment_;
       double                       broken_; ///< void fraction above which material counts as broken
-      std::vector<double>          density_, rate_, size_;
+
+      std::vector<Index>  breaking_; ///< cells that break in this step; of each:
+      std::vector<double> density_, energy_, sound_speed_, rate_, melt_, size_;
     };
 
     EffectVerdict
@@ -67,7 +83,7 @@ namespace whipple
     {
       if (!outlook.any_has(&Material::fragments))
         return off_without_model("Fragments");
-      return {"", true, {}, "a material names a model; a diagnostic, nothing feeds back"};
+      return {"", true, {}, "a material names a model"};
     }
 
     const EffectRegistration<2> registration(
@@ -76,18 +92,19 @@ namespace whipple
             .name    = "fragment size",
             .summary = "size of the fragments, from the rate of expansion at which the material breaks",
             .documentation =
-                "A diagnostic, nothing feeds back: when the void fraction first exceeds a bound, the "
-                "material's fragment model is asked for the size. Carried are the share of the mass that has "
-                "broken and that share times the size; their ratio is the mean size.",
+                "When the void fraction first exceeds a bound, about where growing voids join up, the material's "
+                "fragment "
+                "model is asked for the size. Carried are the share of the mass that has broken and that share times "
+                "the size; their ratio is the mean size. Debris can be laid down in pieces of it (Representation = "
+                "fragments); else it is a diagnostic.",
             .fields      = {{"fragmented share", "1", Carrier::mass}, {"fragment size moment", "cm", Carrier::mass}},
             .family      = "Fragments",
             .requires_on = {"voids"},
             .parameters  = {{"Void fraction",
                              "pure number",
-                             "above which material counts as broken: small beside debris, large beside what the "
-                              "round-off of a remap leaves",
+                             "above which material counts as broken: about where growing voids join up",
                              {.lower = 0., .upper = 1., .lower_excluded = true},
-                             0.01}},
+                             0.3}},
             .judge       = judge,
             .leave_out   = [](Material &material) { material.fragments = nullptr; },
         },

@@ -48,22 +48,60 @@ namespace whipple::projection
             v.u[d] = target[d] + scale * (v.u[d] - mean[d]);
     }
 
-    /// Volume and voids of the materials once laid down; returns the share of the element's volume that they take.
-    double
-    lay_out_materials(const CellPacketLayout<2> &layout, const CellPacket &packet, Representation representation,
-                      ElementPieces &pieces)
+    /// An element cut in two, before its materials are laid out.
+    struct CutElement
     {
-      double bulk = 0, laid_down = 0;
+      ElementPieces pieces;      ///< triangles, mass, volume
+      Motion        as_given;    ///< of both triangles at unit density, with the velocities of the corners
+      Vector<2>     mean{};      ///< velocity of the corner masses, cm/us
+      double        kinetic = 0; ///< of the corner masses about it, and what they do not show, Mbar cm^3
+    };
+
+    CutElement
+    cut(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
+    {
+      CutElement     result;
+      ElementPieces &pieces = result.pieces;
+      geometry::Quad x      = element.position, u;
+      for (int d = 0; d < 2; ++d)
+        for (int k = 0; k < 4; ++k)
+          u[d][k] = element.packet[layout.velocity(d, k)];
+      for (int k = 0; k < 4; ++k)
+        if (symmetry == Symmetry::axisymmetric && x[0][k] < 0)
+          {
+            u[0][k] = -u[0][k];
+            ++pieces.mirrored_corners;
+          }
+      x = mirrored(symmetry, x);
+
+      CornerVectors velocity;
+      for (int k = 0; k < 4; ++k)
+        velocity[k] = {{u[0][k], u[1][k]}};
+      result.mean    = mean_velocity<2>(element.corner_mass, velocity);
+      result.kinetic = relative_kinetic_energy<2>(element.corner_mass, velocity, result.mean) +
+                       element.packet[layout.kinetic_remainder()];
       for (int m = 0; m < layout.n_materials(); ++m)
-        {
-          const double volume = packet[layout.volume(m)], phi = packet[layout.void_fraction(m)];
-          const bool   solid = representation == Representation::packages;
-          pieces.material_volume.push_back(solid ? (1. - phi) * volume : volume);
-          pieces.void_fraction.push_back(solid ? 0. : phi);
-          bulk += volume;
-          laid_down += pieces.material_volume.back();
-        }
-      return laid_down / bulk;
+        pieces.mass += element.packet[layout.mass(m)];
+
+      const Bisection bisection = bisect(x, u);
+      pieces.triangle           = bisection.triangle;
+      pieces.folded             = bisection.folded;
+      result.as_given           = unit_density_motion(symmetry, pieces.triangle);
+      pieces.volume             = result.as_given.mass;
+      if (!(pieces.volume > 0) || !(pieces.mass > 0))
+        refuse(element, pieces.volume, pieces.mass);
+      return result;
+    }
+
+    /// Give the triangles the mean velocity of the corner masses, and `scale` of the motion about it.
+    ElementPieces
+    set_in_motion(CutElement cut, double scale)
+    {
+      ElementPieces &pieces  = cut.pieces;
+      const double   density = pieces.mass / cut.as_given.mass;
+      move(pieces.triangle, cut.as_given.mean_u, cut.mean, scale);
+      pieces.unshown = std::max(0., cut.kinetic - scale * scale * density * cut.as_given.kinetic) / pieces.mass;
+      return std::move(pieces);
     }
   } // namespace
 
@@ -92,55 +130,36 @@ namespace whipple::projection
   }
 
   ElementPieces
-  pieces_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element,
-            Representation representation)
+  distended_pieces(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
   {
-    ElementPieces  pieces;
-    geometry::Quad x = element.position, u;
-    for (int d = 0; d < 2; ++d)
-      for (int k = 0; k < 4; ++k)
-        u[d][k] = element.packet[layout.velocity(d, k)];
-    for (int k = 0; k < 4; ++k)
-      if (symmetry == Symmetry::axisymmetric && x[0][k] < 0)
-        {
-          u[0][k] = -u[0][k];
-          ++pieces.mirrored_corners;
-        }
-    x = mirrored(symmetry, x);
-
-    CornerVectors velocity;
-    for (int k = 0; k < 4; ++k)
-      velocity[k] = {{u[0][k], u[1][k]}};
-    const Vector<2> mean = mean_velocity<2>(element.corner_mass, velocity);
-    const double    kinetic =
-        relative_kinetic_energy<2>(element.corner_mass, velocity, mean) + element.packet[layout.kinetic_remainder()];
+    CutElement result = cut(symmetry, layout, element);
     for (int m = 0; m < layout.n_materials(); ++m)
-      pieces.mass += element.packet[layout.mass(m)];
-
-    const Bisection bisection = bisect(x, u);
-    pieces.triangle           = bisection.triangle;
-    pieces.folded             = bisection.folded;
-    const Motion as_given     = unit_density_motion(symmetry, pieces.triangle);
-    if (!(as_given.mass > 0) || !(pieces.mass > 0))
-      refuse(element, as_given.mass, pieces.mass);
-
-    const double share   = lay_out_materials(layout, element.packet, representation, pieces);
-    const double density = pieces.mass / as_given.mass;
-    pieces.volume        = as_given.mass;
-    double scale         = 0; // packages: one velocity
-    if (representation == Representation::distended)
       {
-        const double energy = density * as_given.kinetic;
-        scale               = energy > kinetic ? std::sqrt(kinetic / energy) : 1.;
+        result.pieces.material_volume.push_back(element.packet[layout.volume(m)]);
+        result.pieces.void_fraction.push_back(element.packet[layout.void_fraction(m)]);
       }
-    else
+    const double energy = result.pieces.mass / result.as_given.mass * result.as_given.kinetic;
+    const double scale  = energy > result.kinetic ? std::sqrt(result.kinetic / energy) : 1.;
+    return set_in_motion(std::move(result), scale);
+  }
+
+  ElementPieces
+  solid_pieces(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
+  {
+    CutElement     result = cut(symmetry, layout, element);
+    ElementPieces &pieces = result.pieces;
+    double         bulk = 0, solid = 0;
+    for (int m = 0; m < layout.n_materials(); ++m)
       {
-        for (Triangle &triangle : pieces.triangle)
-          triangle = shrink(triangle, std::sqrt(share));
-        pieces.volume = unit_density_motion(symmetry, pieces.triangle).mass;
+        const double volume = element.packet[layout.volume(m)];
+        pieces.material_volume.push_back((1. - element.packet[layout.void_fraction(m)]) * volume);
+        pieces.void_fraction.push_back(0.);
+        bulk += volume;
+        solid += pieces.material_volume.back();
       }
-    move(pieces.triangle, as_given.mean_u, mean, scale);
-    pieces.unshown = std::max(0., kinetic - scale * scale * density * as_given.kinetic) / pieces.mass;
-    return pieces;
+    for (Triangle &triangle : pieces.triangle)
+      triangle = shrink(triangle, std::sqrt(solid / bulk));
+    pieces.volume = unit_density_motion(symmetry, pieces.triangle).mass;
+    return set_in_motion(std::move(result), 0.);
   }
 } // namespace whipple::projection

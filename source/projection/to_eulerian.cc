@@ -32,7 +32,7 @@ namespace whipple
   template <>
   LaidDown<2>
   to_eulerian<2>(MPI_Comm communicator, const Lattice<2> &lattice, const CellPacketLayout<2> &layout,
-                 const std::vector<Element<2>> &elements, Representation representation, const FlatMesh<2> &mesh,
+                 const std::vector<Element<2>> &elements, const Representation &representation, const FlatMesh<2> &mesh,
                  const Halo<2> &halo, const LayDownLimits &limits, const Boundaries<2> &boundaries, KineticLoss loss,
                  State<2> &state)
   {
@@ -42,7 +42,7 @@ namespace whipple
     Deposit            deposit(lattice, layout, mesh, state);
     for (const Element<2> &element : elements) // of all ranks: what is counted here is the same on all
       {
-        const ElementPieces pieces = pieces_of(lattice.symmetry, layout, element, representation);
+        const ElementPieces pieces = representation.pieces_of(lattice.symmetry, layout, element);
         deposit.lay_down(element, pieces);
         result.elements += totals_of<2>(layout, element);
         left += beyond_domain(lattice, layout, element, pieces);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/effect/effect.h>
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/hydro/trace.h>
 #include <whipple/initial/painted_bodies.h>
@@ -165,7 +166,7 @@ namespace whipple
       return false;
     Stage between = stage;
     between.introduces.clear();
-    between.representation = Representation::distended;
+    between.representation = RepresentationRegistry::make("distended");
     lay_down(between, sliver_of_element, domain, ledger);
     take_up(between, false, domain, ledger);
     spread(between, domain, ledger);
@@ -235,7 +236,11 @@ namespace whipple
   {
     const MPI_Comm communicator = domain.communicator();
     const auto     layout       = CellPacketLayout<dim>::of(domain.state);
-    const auto elements = gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state));
+    Bookings<dim>  gathered;
+    const auto     elements = stage.representation->gather(
+            {scene_.lattice, layout, stage.lost_kinetic_energy, field_index(layout_.fields, "fragmented share"),
+             field_index(layout_.fields, "fragment size moment")},
+            gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state)), gathered);
 
     // where pieces overlap, what does not fit needs room: if the mesh around them has too little, more of it
     const Ledger<dim> before = ledger;
@@ -248,7 +253,7 @@ namespace whipple
         try
           {
             const std::vector<std::uint8_t> edge = edge_flags(*domain.view);
-            laid = to_eulerian(communicator, scene_.lattice, layout, elements, stage.representation, domain.view->mesh,
+            laid = to_eulerian(communicator, scene_.lattice, layout, elements, *stage.representation, domain.view->mesh,
                                domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
                                stage.lost_kinetic_energy, domain.state);
             break;
@@ -259,6 +264,7 @@ namespace whipple
               throw;
           }
       }
+    laid.bookings += gathered;
     ledger.enter(laid.bookings);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
 #include <whipple/error.h>
+#include <whipple/projection/representation.h>
 #include <whipple/scene/effect_forecast.h>
 #include <whipple/scene/material_effects.h>
 #include <whipple/scene/model_constant.h>
@@ -96,6 +97,20 @@ namespace whipple::sections
             SceneSection(parameters, "Mesh").reject(key, "no such field in this scene; allowed are " + names);
         }
     }
+
+    /// @throws InputError if debris is to be laid down by what an effect tells that is not on
+    template <int dim>
+    void
+    check_representations(SceneParameters &parameters, const Scene<dim> &scene)
+    {
+      for (const Stage &stage : scene.stages)
+        if (const auto [key, effect] = stage.representation->needed_effect();
+            !effect.empty() && !scene.has_effect(effect))
+          SceneSection(parameters, "Stages/" + stage.name)
+              .reject(key,
+                      "needs the effect '" + effect +
+                          "' (Effects/List) and a model that it belongs to in a material; else a length is allowed");
+    }
   } // namespace
 
   namespace
@@ -149,6 +164,7 @@ namespace whipple::sections
       section.replace("List", joined(scene.effects));
     read_parameters(parameters, scene);
     check_criteria(parameters, scene);
+    check_representations(parameters, scene);
   }
 
   template void

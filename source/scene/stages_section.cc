@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/projection/representation.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
@@ -70,6 +71,18 @@ namespace whipple::sections
       return debris;
     }
 
+    std::shared_ptr<const Representation>
+    read_representation(const SceneSection &section)
+    {
+      std::vector<std::pair<std::string, std::string>> names;
+      for (const auto &[name, entry] : RepresentationRegistry::all())
+        names.emplace_back(name, name);
+      const std::string name = section.choice<std::string>("Representation", names);
+      return RepresentationRegistry::all().at(name).read(
+          {[&](const std::string &key) { return section.text(key); },
+           [&](const std::string &key) { return section.positive(key, units::length); }});
+    }
+
     template <int dim>
     Stage
     read_stage(const SceneSection &section, const std::string &name, const Scene<dim> &scene)
@@ -94,8 +107,7 @@ namespace whipple::sections
       stage.breaking.void_fraction = section.between("Break void", units::number, 0, 1);
       stage.breaking.shape         = section.between("Break shape", units::number, 0, 1);
       stage.debris                 = read_debris(section, scene);
-      stage.representation         = section.choice<Representation>(
-          "Representation", {{"distended", Representation::distended}, {"packages", Representation::packages}});
+      stage.representation         = read_representation(section);
       return stage;
     }
 
@@ -192,8 +204,10 @@ namespace whipple::sections
             "lagrangian after eulerian: slower cells are dropped; a velocity, or % of the largest body speed");
         section.declare("Debris behind", "none",
                         "lagrangian after eulerian: only material beyond the rear face of this body; none: no limit");
-        section.declare("Representation", "distended",
-                        "eulerian after lagrangian: distended (whole elements) | packages (solid triangles, 1993)");
+        section.declare("Representation", "distended", "eulerian after lagrangian: " + RepresentationRegistry::usage());
+        for (const auto &[representation, registered] : RepresentationRegistry::all())
+          for (const RepresentationEntry &entry : registered.entries)
+            section.declare(entry.key, entry.default_value, entry.documentation);
       }
   }
 

@@ -81,8 +81,9 @@ TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
   // and owns a slice of the cells, the rest being halo
   const auto serial_mesh  = mesh_of(grid, hanging_keys(grid));
   State<2>   serial_state = blank_state(serial_mesh);
-  const auto serial = to_eulerian<2>(MPI_COMM_SELF, grid, layout, reference, Representation::distended, serial_mesh,
-                                     Halo<2>(MPI_COMM_SELF, serial_mesh, {}), {}, {}, KineticLoss::heat, serial_state);
+  const auto serial =
+      to_eulerian<2>(MPI_COMM_SELF, grid, layout, reference, *RepresentationRegistry::make("distended"), serial_mesh,
+                     Halo<2>(MPI_COMM_SELF, serial_mesh, {}), {}, {}, KineticLoss::heat, serial_state);
 
   auto keys               = serial_mesh.key;
   const auto [begin, end] = my_slice(serial_mesh.n_cells);
@@ -92,8 +93,8 @@ TEST(ProjectionRanks, CellsGetTheSameBitsHoweverElementsAndCellsAreShared)
   std::fill_n(layer.begin(), n_owned, 0);
   const auto mesh   = build_flat_mesh<2>(grid, keys, n_owned, layer, 1, Cohesion::bonded);
   State<2>   mine   = blank_state(mesh);
-  const auto report = to_eulerian<2>(MPI_COMM_WORLD, grid, layout, gathered, Representation::distended, mesh,
-                                     halo_of(mesh, serial_mesh.key), {}, {}, KineticLoss::heat, mine);
+  const auto report = to_eulerian<2>(MPI_COMM_WORLD, grid, layout, gathered, *RepresentationRegistry::make("distended"),
+                                     mesh, halo_of(mesh, serial_mesh.key), {}, {}, KineticLoss::heat, mine);
   for (Index cell = 0; cell < n_owned; ++cell)
     for (int m = 0; m < 2; ++m)
       {

@@ -225,7 +225,7 @@ namespace whipple
     const GradyKipp           model(energy);
     const std::vector<double> density(4, 2.785), sound(4, 0.5328), rate{0.01, 0.1, 0., -1.};
     std::vector<double>       size(4);
-    model.evaluate(density, sound, rate, size);
+    model.evaluate(density, sound, rate, {}, size);
     EXPECT_NEAR(size[0], 0.9936306357629447, 1e-12);
     EXPECT_NEAR(size[1], 0.21407123107661236, 1e-12);
     EXPECT_EQ(size[2], infinite);
@@ -237,8 +237,16 @@ namespace whipple
     request.library   = "aluminium 2024-T4";
     request.void_law  = "rate";
     request.fragments = "grady-kipp";
-    make_material(request).fragments->evaluate(density, sound, rate, size);
+    make_material(request).fragments->evaluate(density, sound, rate, {}, size);
     EXPECT_NEAR(size[1], 0.21407123107661236, 1e-9);
+
+    // liquid aluminium at 1/us: (48 * 0.9e-9 / 2.785)^(1/3) by hand; half molten: nearly half of W is left
+    const std::vector<double> fast(4, 1.), melt{0., 0.5, 1., 1.};
+    make_material(request).fragments->evaluate(density, sound, fast, melt, size);
+    EXPECT_NEAR(size[0], 0.046120845, 1e-8);
+    EXPECT_NEAR(size[1] / size[0], 0.7937634, 1e-6);
+    EXPECT_NEAR(size[2], 0.0024938, 1e-6);
+
     request.library = "copper OFHC";
     EXPECT_NE(complaint(request).find("Fracture energy is needed"), std::string::npos);
   }

@@ -14,7 +14,10 @@ namespace
   using namespace whipple;
   using namespace whipple::projection_test;
 
-  constexpr std::array<Representation, 2> representations{{Representation::distended, Representation::packages}};
+  const std::shared_ptr<const Representation> distended = RepresentationRegistry::make("distended");
+  const std::shared_ptr<const Representation> packages  = RepresentationRegistry::make("packages");
+
+  const std::array<std::shared_ptr<const Representation>, 2> representations{{distended, packages}};
 
   Boundaries<2>
   boundaries_of(Symmetry symmetry)
@@ -87,10 +90,10 @@ namespace
     }
 
     void
-    lay_down(const Lattice<2> &grid, const std::vector<Element<2>> &elements, Representation representation,
-             KineticLoss loss = KineticLoss::heat)
+    lay_down(const Lattice<2> &grid, const std::vector<Element<2>> &elements,
+             const std::shared_ptr<const Representation> &representation, KineticLoss loss = KineticLoss::heat)
     {
-      report = to_eulerian<2>(MPI_COMM_SELF, grid, CellPacketLayout<2>::of(state), elements, representation, mesh,
+      report = to_eulerian<2>(MPI_COMM_SELF, grid, CellPacketLayout<2>::of(state), elements, *representation, mesh,
                               Halo<2>(MPI_COMM_SELF, mesh, {}), {}, boundaries_of(grid.symmetry), loss, state);
     }
 
@@ -143,7 +146,7 @@ TEST(ToEulerian, DistortedElementsKeepMassMomentumAndTotalEnergy)
 {
   figure::Largest change("projection to Eulerian: mass, momentum, energy, relative change", "<= 1e-12");
   for (const Symmetry symmetry : {Symmetry::planar, Symmetry::axisymmetric})
-    for (const Representation representation : representations)
+    for (const auto &representation : representations)
       {
         const Cloud cloud(symmetry, 0.35, 0.2);
         Target      target(cloud.grid, hanging_keys(cloud.grid));
@@ -155,7 +158,7 @@ TEST(ToEulerian, DistortedElementsKeepMassMomentumAndTotalEnergy)
 
 TEST(ToEulerian, FoldedAndMirroredElementsAreConservedToo)
 {
-  for (const Representation representation : representations)
+  for (const auto &representation : representations)
     {
       Cloud  cloud(Symmetry::axisymmetric, 1.5, 0.2);
       Target target(cloud.grid, uniform_keys(cloud.grid, 1));
@@ -173,7 +176,7 @@ TEST(ToEulerian, FoldedAndMirroredElementsAreConservedToo)
 TEST(ToEulerian, UniformVelocityStaysUniform)
 {
   figure::Largest deviation("projection of a uniform velocity: deviation, cm/us", "uniform");
-  for (const Representation representation : representations)
+  for (const auto &representation : representations)
     {
       const Cloud cloud(Symmetry::axisymmetric, 0.35, 0.);
       Target      target(cloud.grid, hanging_keys(cloud.grid));
@@ -196,7 +199,7 @@ TEST(ToEulerian, PackagesKeepTrueDensityExactly)
   // elements far apart, so that no cell is overfull
   auto   elements = cloud.elements();
   Target target(cloud.grid, uniform_keys(cloud.grid, 2));
-  target.lay_down(cloud.grid, {elements[0], elements[3], elements[9]}, Representation::packages);
+  target.lay_down(cloud.grid, {elements[0], elements[3], elements[9]}, packages);
   EXPECT_EQ(target.report.solid_compressed, 0.);
   const std::array<double, 2> true_density{{2.75, 7.9}};
   for (int m = 0; m < 2; ++m)
@@ -212,7 +215,7 @@ TEST(ToEulerian, PackagesKeepTrueDensityExactly)
 
 TEST(ToEulerian, OverlappingFragmentsLoseNothing)
 {
-  for (const Representation representation : representations)
+  for (const auto &representation : representations)
     {
       const Cloud cloud(Symmetry::axisymmetric, 0.2, 0.2);
       auto        elements = cloud.elements();
@@ -253,7 +256,7 @@ TEST(ToEulerian, CornerMassesUnlikeTheGeometryMakeNoKineticEnergy)
       element.corner_mass = {{0.97 * mass, 0.01 * mass, 0.01 * mass, 0.01 * mass}};
     }
   Target target(cloud.grid, uniform_keys(cloud.grid, 2));
-  target.lay_down(cloud.grid, elements, Representation::distended);
+  target.lay_down(cloud.grid, elements, distended);
   expect_closed({}, target);
   EXPECT_GE(target.kinetic_loss(), 0.);
 }
@@ -276,7 +279,7 @@ TEST(ToEulerian, PoresAreSqueezedBeforeTheSolid)
     mass = 0.25 * (packet[layout.mass(0)] + packet[layout.mass(1)]);
   elements.push_back(elements[0]);
   Target target(cloud.grid, uniform_keys(cloud.grid, 0));
-  target.lay_down(cloud.grid, elements, Representation::distended);
+  target.lay_down(cloud.grid, elements, distended);
   EXPECT_NEAR(target.report.pores_squeezed, 0.01, 1e-15); // one of two cell volumes
   EXPECT_NEAR(target.report.solid_compressed, 0., 1e-15);
   for (Index cell = 0; cell < target.mesh.n_cells; ++cell)
@@ -291,7 +294,7 @@ TEST(ToEulerian, WhatLiesBeyondTheDomainIsBooked)
   Cloud cloud(Symmetry::axisymmetric, 0.3, 0.2);
   for (double &z : cloud.state.position[1])
     z += 0.25;
-  for (const Representation representation : representations)
+  for (const auto &representation : representations)
     {
       Target target(cloud.grid, uniform_keys(cloud.grid, 1));
       target.lay_down(cloud.grid, cloud.elements(), representation);
@@ -320,7 +323,7 @@ TEST(ToEulerian, DebrisMeetsAWallThatIsThere)
       axis[target.mesh.hanging[h]] = 0.5 * (axis[target.mesh.master[h][0]] + axis[target.mesh.master[h][1]]);
   const ConservedTotals<2> wall = node_totals(target.state);
   ASSERT_GT(wall.mass, 0.);
-  target.lay_down(cloud.grid, cloud.elements(), Representation::distended);
+  target.lay_down(cloud.grid, cloud.elements(), distended);
   expect_closed(wall, target);
 }
 
@@ -328,7 +331,7 @@ TEST(ToEulerian, AMeshThatDoesNotCoverTheDebrisIsRefused)
 {
   const Cloud cloud(Symmetry::axisymmetric, 0.1, 0.);
   Target      target(cloud.grid, {make_key<2>(0, {{0, 8}})});
-  EXPECT_THROW(target.lay_down(cloud.grid, cloud.elements(), Representation::distended), ConservationError);
+  EXPECT_THROW(target.lay_down(cloud.grid, cloud.elements(), distended), ConservationError);
 }
 
 TEST(ToEulerian, TouchedCellsCoverTheDebris)
@@ -336,7 +339,7 @@ TEST(ToEulerian, TouchedCellsCoverTheDebris)
   const Cloud cloud(Symmetry::axisymmetric, 0.3, 0.1);
   const auto  elements = cloud.elements();
   Target      target(cloud.grid, touched_cells<2>(cloud.grid, elements, 2));
-  target.lay_down(cloud.grid, elements, Representation::distended);
+  target.lay_down(cloud.grid, elements, distended);
   expect_closed({}, target);
   for (Index cell = 0; cell < target.mesh.n_cells; ++cell)
     EXPECT_GT(cell_mass<2>(target.state, cell), 0.);
@@ -370,8 +373,7 @@ TEST(Projections, RoundTripOnTheSameCellsReturnsALinearVelocityField)
       to_lagrangian<2>(cells, start, elements, boundaries_of(grid.symmetry), KineticLoss::heat, names, report);
   const auto layout = CellPacketLayout<2>::of(debris);
   Target     target(grid, cells.key);
-  target.lay_down(grid, gather_elements<2>(MPI_COMM_SELF, layout, elements_of<2>(layout, elements, debris)),
-                  Representation::distended);
+  target.lay_down(grid, gather_elements<2>(MPI_COMM_SELF, layout, elements_of<2>(layout, elements, debris)), distended);
   expect_closed({}, target);
   for (Index node = 0; node < cells.n_nodes; ++node)
     for (int d = 0; d < 2; ++d)

@@ -6,7 +6,7 @@
 
 namespace whipple
 {
-  /// Size of the fragments that a material breaks into, a diagnostic: nothing feeds back.
+  /// Size of the fragments that a material breaks into.
   class FragmentModel
   {
   public:
@@ -16,9 +16,10 @@ namespace whipple
     /// @param density      true density, g/cm^3
     /// @param sound_speed  bulk, cm/us
     /// @param strain_rate  rate of volume expansion at failure, 1/us
+    /// @param melt_fraction share of the mass that is liquid; empty: all is solid
     virtual void
     evaluate(std::span<const double> density, std::span<const double> sound_speed, std::span<const double> strain_rate,
-             std::span<double> size) const = 0;
+             std::span<const double> melt_fraction, std::span<double> size) const = 0;
 
     /// Name in scene files.
     virtual std::string

@@ -4,7 +4,6 @@
 #include <whipple/projection/cell_motion.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/polygon_clip.h>
-#include <whipple/projection/to_eulerian.h>
 
 #include <vector>
 
@@ -28,13 +27,18 @@ namespace whipple::projection
     motion(const Moments &part) const;
   };
 
-  /// Cut an element in two (doc/theory/projection.md). Its momentum is exact: the linear velocities are shifted to
-  /// the mean velocity of the corner masses; if they move more vigorously about it than the corner
+  /// An element cut in two, with its voids (doc/theory/projection.md). Its momentum is exact: the linear velocities are
+  /// shifted to the mean velocity of the corner masses; if they move more vigorously about it than the corner
   /// masses do, their deviations are scaled down, and if less, the difference is `unshown`.
   /// @throws StateError if the element has no volume or no mass.
   ElementPieces
-  pieces_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element,
-            Representation representation);
+  distended_pieces(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element);
+
+  /// An element cut in two, each triangle shrunk about its centroid by (1 - phi)^(1/2): solid at its true density, with
+  /// one velocity; the kinetic energy about it is `unshown`.
+  /// @throws StateError if the element has no volume or no mass.
+  ElementPieces
+  solid_pieces(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element);
 
   /// Corner positions with r >= 0: material that has crossed the axis is on its other side, the same ring.
   geometry::Quad

@@ -5,6 +5,7 @@
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/gather_slivers.h>
+#include <whipple/projection/representation.h>
 #include <whipple/projection/spread_excess.h>
 #include <whipple/state/bookings.h>
 #include <whipple/state/conserved_totals.h>
@@ -16,13 +17,6 @@
 
 namespace whipple
 {
-  /// How an element is laid down on a fixed mesh.
-  enum class Representation
-  {
-    distended, ///< the whole element with its voids; velocity linear in each of its two triangles
-    packages   ///< each triangle shrunk about its centroid by (1-phi)^(1/2): solid at gamma, one velocity
-  };
-
   /// What cells may take up.
   struct LayDownLimits
   {
@@ -56,7 +50,7 @@ namespace whipple
   /// Overfull cells first lose voids at constant gamma; solid that still does not fit is spread to where there is room
   /// (spread_excess.h), never squeezed. The halo of the state must be up to date before, and is afterwards but for
   /// its outermost layer of nodes. Collective.
-  /// @param elements  all ranks' (gather_elements), ordered by key
+  /// @param elements  all ranks' (gather_elements), ordered by key, as the representation has gathered them
   /// @param state     holds what is already there, in Eulerian form (corner weights of the undeformed cells)
   /// @throws StateError if an element has no volume or mass, NoRoomError if the cells cannot hold the solid (the state
   ///         is as it was), or ConservationError if the mesh does not cover
@@ -64,9 +58,9 @@ namespace whipple
   template <int dim>
   LaidDown<dim>
   to_eulerian(MPI_Comm communicator, const Lattice<dim> &lattice, const CellPacketLayout<dim> &layout,
-              const std::vector<Element<dim>> &elements, Representation representation, const FlatMesh<dim> &mesh,
-              const Halo<dim> &halo, const LayDownLimits &limits, const Boundaries<dim> &boundaries, KineticLoss loss,
-              State<dim> &state);
+              const std::vector<Element<dim>> &elements, const Representation &representation,
+              const FlatMesh<dim> &mesh, const Halo<dim> &halo, const LayDownLimits &limits,
+              const Boundaries<dim> &boundaries, KineticLoss loss, State<dim> &state);
 
   /// The cells of the lattice at `level` that elements touch once laid down, for building the mesh.
   /// Sorted; cells outside the domain left out.

@@ -10,7 +10,6 @@
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/mesh/mesh_map.h>
 #include <whipple/projection/intact_cells.h>
-#include <whipple/projection/to_eulerian.h>
 #include <whipple/scene/prm_statements.h>
 #include <whipple/scene/shape.h>
 #include <whipple/scene/stage_end.h>
@@ -29,6 +28,7 @@
 namespace whipple
 {
   class RefinementCriterion;
+  class Representation;
 
   /// A material under the name the scene gives it. The models that the scene's effects leave out are null:
   /// without the effect "strength" model.strength, without "voids" model.void_law.
@@ -109,7 +109,7 @@ namespace whipple
     BreakCriteria breaking;                    ///< graded cohesion
     DebrisEntry   debris;                      ///< Lagrangian stages that follow an Eulerian one
 
-    Representation representation = Representation::distended; ///< Eulerian stages that follow a Lagrangian one
+    std::shared_ptr<const Representation> representation; ///< Eulerian stages that follow a Lagrangian one
   };
 
   enum class Refinement
