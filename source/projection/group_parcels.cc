@@ -53,7 +53,7 @@ namespace whipple::projection
       void
       unite(Index i, Index j)
       {
-        const auto [low, high] = std::minmax(root(i), root(j));
+        const auto [low, high] = std::minmax({root(i), root(j)}); // of values: references would dangle
         root_[high]            = low;
       }
 
