@@ -47,6 +47,7 @@ set(WHIPPLE_FLAT
     source/hydro/corner_forces_tensor.cc
     source/hydro/folding.cc
     source/hydro/fragment_release.cc
+    source/hydro/free_flight.cc
     source/hydro/lagrange_step.cc
     source/hydro/material_passes.cc
     source/hydro/node_motion.cc
@@ -219,6 +220,7 @@ set(WHIPPLE_DEALII
     source/run/contact_search.cc
     source/run/cycle.cc
     source/run/domain.cc
+    source/run/flight.cc
     source/run/handover.cc
     source/run/interruption.cc
     source/run/last_good.cc
@@ -227,6 +229,7 @@ set(WHIPPLE_DEALII
     source/run/resume.cc
     source/run/run_view.cc
     source/run/simulation.cc
+    source/run/stage_flight.cc
     source/run/stage_loop.cc
     source/run/stage_pieces.cc
     source/run/state_guard.cc

@@ -73,12 +73,12 @@ namespace nlohmann
     static void
     to_json(json &j, const whipple::ContactSchedule &schedule)
     {
-      j = schedule.next();
+      j = json::array({schedule.next(), schedule.clear_until()});
     }
     static void
     from_json(const json &j, whipple::ContactSchedule &schedule)
     {
-      schedule = whipple::ContactSchedule(j.get<long>());
+      schedule = whipple::ContactSchedule(j.at(0).get<long>(), j.at(1).get<double>());
     }
   };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/hydro/free_flight.h>
 #include <whipple/mesh/collective.h>
 #include <whipple/run/cycle.h>
 #include <whipple/run/domain.h>
@@ -42,6 +43,7 @@ namespace whipple
     , mesh_(mesh)
     , halo_(halo)
     , lost_kinetic_energy_(stage.lost_kinetic_energy)
+    , rubble_void_(stage.mode == StageMode::lagrangian ? stage.breaking.void_fraction : 1.)
     , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
   {
     effects_ = make_passes<dim>(scene.effects, mesh, layout.materials, layout.fields, scene.effect_parameters);
@@ -62,6 +64,7 @@ namespace whipple
   Cycle<dim>::evaluate(const State<dim> &state, Derived &derived)
   {
     lagrange_.evaluate(state, derived);
+    soften_rubble(mesh_, state, rubble_void_, derived);
   }
 
   template <int dim>
@@ -189,6 +192,7 @@ namespace whipple
     else
       exchange_pressures(derived);
     lagrange_.evaluate_strength(state, derived);
+    soften_rubble(mesh_, state, rubble_void_, derived);
     Bookings<dim> bookings = remap_ ? remap.bookings(lost_kinetic_energy_) : Bookings<dim>{};
     bookings += motion.bookings();
     bookings += effects_.books.bookings();

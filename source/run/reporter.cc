@@ -226,11 +226,18 @@ namespace whipple
         write_statistics(news, present, run);
         report.next_statistics = time + scene_.output.statistics_interval;
       }
-    let_watch(run, [&news](const Watch<dim> &watch, const MeasureView<dim> &view, std::vector<double> &memory,
-                           const WriteRow &write) { watch.step_done(view, news.dt, memory, write); });
-    if (scene_.output.fields_interval && time >= report.next_fields)
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::look(const Stage &stage, double dt, RunState<dim> &run)
+  {
+    ReportProgress &report = run.books.report;
+    let_watch(run, [dt](const Watch<dim> &watch, const MeasureView<dim> &view, std::vector<double> &memory,
+                        const WriteRow &write) { watch.step_done(view, dt, memory, write); });
+    if (scene_.output.fields_interval && run.domain.state.time >= report.next_fields)
       {
-        write_fields(*news.stage, run);
+        write_fields(stage, run);
         report.next_fields += *scene_.output.fields_interval;
       }
   }

@@ -174,7 +174,7 @@ namespace whipple
 
   template <int dim>
   void
-  StageLoop<dim>::step(double left)
+  StageLoop<dim>::step(double left, const Flight<dim> *flight)
   {
     Domain<dim> &domain = run_.domain;
     Ledger<dim> &ledger = run_.books.ledger;
@@ -205,7 +205,9 @@ namespace whipple
     cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
     if (stage_.mode == StageMode::lagrangian && holds_pieces())
       refuse_folded();
-    const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+    auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+    if (flight)
+      present += flight->totals();
     ledger.check(present, "a step", round_off);
     summary::Stage &record = run_.record();
     if ((record.steps + 1) % snapshot_steps == 0)
@@ -224,7 +226,10 @@ namespace whipple
   void
   StageLoop<dim>::advance(double left)
   {
-    step(left);
+    const double before = run_.domain.state.time;
+    if (!fly(left))
+      step(left, nullptr);
+    reporter_.look(stage_, run_.domain.state.time - before, run_);
     if (stage_.mode == StageMode::eulerian)
       {
         if (regrid_is_due() || edge_touched())

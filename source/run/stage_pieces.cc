@@ -194,10 +194,10 @@ namespace whipple
     Ledger<dim>   &ledger   = run_.books.ledger;
     Domain<dim>   &domain   = run_.domain;
     const long     steps    = run_.record().steps;
-    if (!progress.contacts.due(steps) || !holds_pieces())
+    if (!progress.contacts.due(steps, domain.state.time) || !holds_pieces())
       return false;
     const ContactLook<dim> look = join_contacts(scene_.boundaries, stage_.lost_kinetic_energy, domain);
-    progress.contacts.looked(steps, progress.last_time_step, look);
+    progress.contacts.looked(steps, domain.state.time, progress.last_time_step, look);
     ledger.enter(look.bookings);
     if (look.joined > 0)
       cycle_->refresh(domain.state, domain.derived);

@@ -235,14 +235,15 @@ namespace
     ContactLook<2>  quiet, close;
     quiet.time_to_next = HUGE_VAL;
     close.time_to_next = 0.35;
-    EXPECT_TRUE(schedule.due(0));
-    schedule.looked(0, 0.1, quiet);
-    EXPECT_FALSE(schedule.due(19));
-    EXPECT_TRUE(schedule.due(20));
-    schedule.looked(20, 0.1, close);
-    EXPECT_FALSE(schedule.due(22));
-    EXPECT_TRUE(schedule.due(23));
-    schedule.looked(23, 1., close);
-    EXPECT_TRUE(schedule.due(24));
+    EXPECT_TRUE(schedule.due(0, 0.));
+    schedule.looked(0, 0., 0.1, quiet);
+    EXPECT_FALSE(schedule.due(19, 1.9));
+    EXPECT_TRUE(schedule.due(20, 2.));
+    schedule.looked(20, 2., 0.1, close);
+    EXPECT_FALSE(schedule.due(22, 2.2));
+    EXPECT_TRUE(schedule.due(23, 2.3));
+    EXPECT_TRUE(schedule.due(21, 2.4)) << "one long step";
+    schedule.looked(23, 2.3, 1., close);
+    EXPECT_TRUE(schedule.due(24, 3.3));
   }
 } // namespace

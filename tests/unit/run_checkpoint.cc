@@ -42,7 +42,7 @@ namespace
     books.progress.locked             = {0xfedcba9876543210u, 1};
     books.progress.locked_noted       = 1;
     books.progress.history            = TimeStepHistory({0.1, 0x1p-1074, 3.});
-    books.progress.contacts           = ContactSchedule(123456789012345);
+    books.progress.contacts           = ContactSchedule(123456789012345, 0.1);
     ConservedTotals<2> amount;
     amount.mass            = 0.1;
     amount.momentum        = {{-0.3, 1e-310}};

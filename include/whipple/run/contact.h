@@ -3,6 +3,9 @@
 
 #include <whipple/run/domain.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace whipple
 {
   /// What a look at contacts found and did, all ranks.
@@ -36,9 +39,17 @@ namespace whipple
   public:
     ContactSchedule() = default;
     /// @param next number of steps made at which the next look is due
-    explicit ContactSchedule(long next)
+    /// @param clear_until no approaching elements come near each other before, us
+    ContactSchedule(long next, double clear_until)
       : next_(next)
+      , clear_until_(clear_until)
     {
+    }
+
+    double
+    clear_until() const
+    {
+      return clear_until_;
     }
 
     long
@@ -48,17 +59,19 @@ namespace whipple
     }
 
     /// @param step number of steps made
+    /// @param time now, us
     bool
-    due(long step) const
+    due(long step, double time) const
     {
-      return step >= next_;
+      return step >= next_ || time >= clear_until_;
     }
 
     /// @param dt the present time step, us
     template <int dim>
     void
-    looked(long step, double dt, const ContactLook<dim> &look)
+    looked(long step, double time, double dt, const ContactLook<dim> &look)
     {
+      clear_until_       = time + std::max(look.time_to_next, dt);
       const double steps = look.time_to_next / dt;
       next_              = step + (!(steps >= 1.) ? 1 : steps < most_steps ? static_cast<long>(steps) : most_steps);
     }
@@ -66,7 +79,8 @@ namespace whipple
   private:
     static constexpr long most_steps = 20;
 
-    long next_ = 0;
+    long   next_        = 0;
+    double clear_until_ = -std::numeric_limits<double>::infinity(); ///< us
   };
 
   /// Whether joining has failed: so many elements lie deep in others that the state is no longer one of matter.

@@ -78,6 +78,7 @@ namespace whipple
     const FlatMesh<dim>                 &mesh_;
     const Halo<dim>                     &halo_;
     KineticLoss                          lost_kinetic_energy_;
+    double                               rubble_void_; ///< void fraction above which elements of their own are rubble
     LagrangeStep<dim>                    lagrange_;
     EffectPasses<dim>                    effects_; ///< that are on
     std::optional<DirectionalRemap<dim>> remap_;

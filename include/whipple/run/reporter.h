@@ -50,9 +50,14 @@ namespace whipple
     void
     mesh_is_new(RunState<dim> &run);
 
-    /// Progress line, statistics row, tables of the watches and field file where they are due.
+    /// Progress line and statistics row, where it is due. The domain of the run may hold a part of what is present.
     void
     step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run);
+
+    /// Tables of the watches and field file, where they are due, after some steps with the whole domain in place.
+    /// @param dt time since the last look, us
+    void
+    look(const Stage &stage, double dt, RunState<dim> &run);
 
     /// End a stage: its fields and its page of the ledger, per body where bodies can be told apart.
     void

@@ -5,6 +5,7 @@
 #include <whipple/run/checkpointing.h>
 #include <whipple/run/contact.h>
 #include <whipple/run/cycle.h>
+#include <whipple/run/flight.h>
 #include <whipple/run/handover.h>
 #include <whipple/run/last_good.h>
 #include <whipple/run/regridding.h>
@@ -48,8 +49,16 @@ namespace whipple
     /// Step, and what follows it: regrid, contact, breaking of bonds.
     void
     advance(double left);
+    /// @param flight what is not in the domain because it flies freely meanwhile; null: nothing
     void
-    step(double left);
+    step(double left, const Flight<dim> *flight);
+    /// Let fragments without stress fly while the others are stepped. @returns false, and nothing has been done, if
+    /// there are too few of them
+    bool
+    fly(double left);
+    /// How long fragments may fly before the stage looks again, us.
+    double
+    flight_time(double left) const;
     /// Stop fragments that are about to fold from deforming. @returns whether any rank has changed the state
     /// @param rigid out: those that keep their shape in the step ahead
     bool
