@@ -259,15 +259,12 @@ namespace whipple::projection
       double     scale_ = 1;       ///< c
     };
 
-    /// How much of a fragment an element is; 0 if it is to stay as it is.
-    double
-    weight_of(const Lattice<2> &lattice, const Parcel &parcel, double size)
+    /// Whether fragments of the size that an element breaks into are large enough to be shown.
+    bool
+    is_shown(const Lattice<2> &lattice, const Parcel &parcel)
     {
-      const double seen = least_width * std::max(lattice.spacing, std::sqrt(parcel.solid));
-      if (!(size >= seen) || !std::isfinite(size))
-        return 0;
-      const bool beside_axis = lattice.symmetry == Symmetry::axisymmetric && middle(parcel, 0) < 0.5 * size;
-      return (beside_axis ? 2. : 1.) * parcel.solid / (size * size);
+      return std::isfinite(parcel.size) &&
+             parcel.size >= least_width * std::max(lattice.spacing, std::sqrt(parcel.solid));
     }
   } // namespace
 
@@ -282,15 +279,15 @@ namespace whipple::projection
         Parcel parcel = parcel_of(view.lattice, elements[i].key);
         parcel.solid =
             solid_volume(view.layout, elements[i].packet) / circumference(view.lattice.symmetry, middle(parcel, 0));
-        parcel.weight = weight_of(view.lattice, parcel, size[i]);
-        if (parcel.weight > 0)
+        parcel.size = size[i];
+        if (parcel.solid > 0 && is_shown(view.lattice, parcel))
           {
             parcels.push_back(parcel);
             element_of.push_back(i);
           }
       }
     for (const ParcelGroup &set : touching_sets(parcels))
-      for (const ParcelGroup &group : cut_into_fragments(parcels, set))
+      for (const ParcelGroup &group : cut_into_fragments(view.lattice.symmetry, parcels, set))
         {
           Piece piece(view, parcels, element_of, group);
           if (piece.settle(elements))

@@ -123,50 +123,63 @@ namespace whipple::projection
       return axis;
     }
 
-    Shape
-    shape_of(std::span<const Parcel> parcels, const ParcelGroup &set)
+    /// Whether a parcel lies beside the axis, where a fragment shows half of its section.
+    bool
+    beside_axis(Symmetry symmetry, const Parcel &parcel)
     {
+      return symmetry == Symmetry::axisymmetric && middle(parcel)[0] < 0.5 * parcel.size;
+    }
+
+    /// How much of a fragment a parcel is.
+    double
+    weight(Symmetry symmetry, const Parcel &parcel)
+    {
+      return (beside_axis(symmetry, parcel) ? 2. : 1.) * parcel.solid / (parcel.size * parcel.size);
+    }
+
+    Shape
+    shape_of(Symmetry symmetry, std::span<const Parcel> parcels, const ParcelGroup &set)
+    {
+      const bool mirrored = symmetry == Symmetry::axisymmetric &&
+                            std::any_of(set.begin(), set.end(), [&](Index i) { return parcels[i].lower[0] <= 0.; });
       Shape     shape;
-      double    solid = 0, area = 0, xx = 0, xy = 0, yy = 0;
-      Vector<2> mean{};
+      double    solid = 0, area = 0, number = 0;
+      Vector<2> mean{}, along{}; // second moments along the axes
+      double    across = 0;
       for (const Index i : set)
         {
           const Parcel   &p = parcels[i];
           const Vector<2> x = middle(p);
-          shape.weight += p.weight;
+          shape.weight += weight(symmetry, p);
           area += p.area();
-          // moments about the running mean: no difference of squares
-          const double    before = solid;
-          const Vector<2> step{{x[0] - mean[0], x[1] - mean[1]}};
+          number += p.solid / (p.size * p.size);
+          // about the running mean: no difference of squares
+          const double before = solid;
           solid += p.solid;
-          const double reduced = before * p.solid / solid;
+          Vector<2> step;
           for (int d = 0; d < 2; ++d)
-            mean[d] += step[d] * (p.solid / solid);
-          xx += reduced * step[0] * step[0] + p.solid * std::pow(p.upper[0] - p.lower[0], 2) / 12.;
-          xy += reduced * step[0] * step[1];
-          yy += reduced * step[1] * step[1] + p.solid * std::pow(p.upper[1] - p.lower[1], 2) / 12.;
+            {
+              const bool still = mirrored && d == 0; // with its mirror image the mean stays on the axis
+              step[d]          = x[d] - mean[d];
+              along[d] += (still ? p.solid : before * p.solid / solid) * step[d] * step[d] +
+                          p.solid * std::pow(p.upper[d] - p.lower[d], 2) / 12.;
+              mean[d] += still ? 0. : step[d] * (p.solid / solid);
+            }
+          across += mirrored ? 0. : before * p.solid / solid * step[0] * step[1];
         }
-      shape.axis = principal_axis(xx, xy, yy);
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (const Index i : set)
-        {
-          const Parcel   &p    = parcels[i];
-          const Vector<2> x    = middle(p);
-          const double    at   = x[0] * shape.axis[0] + x[1] * shape.axis[1];
-          const double    half = 0.5 * (std::abs(shape.axis[0]) * (p.upper[0] - p.lower[0]) +
-                                     std::abs(shape.axis[1]) * (p.upper[1] - p.lower[1]));
-          low                  = std::min(low, at - half);
-          high                 = std::max(high, at + half);
-        }
-      const double size   = std::sqrt(solid / shape.weight);
-      const double length = std::sqrt(solid / area) * (high - low);
+      shape.axis              = principal_axis(along[0], across, along[1]);
+      const double half_trace = 0.5 * (along[0] + along[1]);
+      const double largest    = half_trace + std::hypot(0.5 * (along[0] - along[1]), across);
+      // length of the bar with this second moment, as long as it would be if it were solid
+      const double length = std::sqrt(12. * largest / solid) * std::sqrt(solid / area);
+      const double size   = std::sqrt(solid / number);
       shape.pieces        = std::max({1., std::round(shape.weight), std::round(length / size)});
       return shape;
     }
 
     /// The two parts of a set: the first has about `share` of its weight.
     std::array<ParcelGroup, 2>
-    cut(std::span<const Parcel> parcels, const ParcelGroup &set, const Shape &shape, double share)
+    cut(Symmetry symmetry, std::span<const Parcel> parcels, const ParcelGroup &set, const Shape &shape, double share)
     {
       const auto place = [&](Index i) {
         const Vector<2> x = middle(parcels[i]);
@@ -178,7 +191,7 @@ namespace whipple::projection
       std::size_t at = 1;
       for (std::size_t n = 1; n < along.size(); ++n)
         {
-          sum += parcels[along[n - 1]].weight;
+          sum += weight(symmetry, parcels[along[n - 1]]);
           if (const double miss = std::abs(sum - share * shape.weight); miss < best)
             {
               best = miss;
@@ -217,7 +230,7 @@ namespace whipple::projection
   }
 
   std::vector<ParcelGroup>
-  cut_into_fragments(std::span<const Parcel> parcels, const ParcelGroup &set)
+  cut_into_fragments(Symmetry symmetry, std::span<const Parcel> parcels, const ParcelGroup &set)
   {
     std::vector<ParcelGroup> whole, fragments;
     if (!set.empty())
@@ -226,13 +239,13 @@ namespace whipple::projection
       {
         const ParcelGroup group = std::move(whole.back());
         whole.pop_back();
-        const Shape shape = shape_of(parcels, group);
+        const Shape shape = shape_of(symmetry, parcels, group);
         if (group.size() == 1 || shape.pieces < 2)
           {
             fragments.push_back(group);
             continue;
           }
-        for (ParcelGroup &part : cut(parcels, group, shape, std::floor(shape.pieces / 2) / shape.pieces))
+        for (ParcelGroup &part : cut(symmetry, parcels, group, shape, std::floor(shape.pieces / 2) / shape.pieces))
           whole.push_back(std::move(part));
       }
     return fragments;

@@ -195,7 +195,8 @@ namespace whipple::sections
                         "element for itself)");
         section.declare("Break damage", "50 %", "graded: elements of more damage are broken (with the effect failure)");
         section.declare("Break void", "15 %",
-                        "graded: elements with more void are broken (without the effect failure)");
+                        "elements of their own with more void are rubble, without shear; graded: broken (without the "
+                        "effect failure)");
         section.declare("Break shape", "20 %",
                         "graded: elements a corner of which has less than this part of their mean Jacobian are broken");
         section.declare("Void cutoff", "99 %", "lagrangian after eulerian: cells with more void are dropped");

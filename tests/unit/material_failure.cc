@@ -243,8 +243,8 @@ namespace whipple
     // liquid aluminium at 1/us: (48 * 0.9e-9 / 2.785)^(1/3) by hand; half molten: nearly half of W is left
     const std::vector<double> fast(4, 1.), melt{0., 0.5, 1., 1.};
     make_material(request).fragments->evaluate(density, sound, fast, melt, size);
-    EXPECT_NEAR(size[0], 0.046120845, 1e-8);
-    EXPECT_NEAR(size[1] / size[0], 0.7937634, 1e-6);
+    EXPECT_NEAR(size[0], 0.04612024864, 1e-10);
+    EXPECT_NEAR(size[1] / size[0], 0.79374235678, 1e-9);
     EXPECT_NEAR(size[2], 0.0024938, 1e-6);
 
     request.library = "copper OFHC";

@@ -14,10 +14,9 @@ namespace
   using namespace whipple;
   using namespace whipple::projection_test;
 
-  const std::shared_ptr<const Representation> distended = RepresentationRegistry::make("distended");
-  const std::shared_ptr<const Representation> packages  = RepresentationRegistry::make("packages");
+  const std::string distended = "distended", packages = "packages";
 
-  const std::array<std::shared_ptr<const Representation>, 2> representations{{distended, packages}};
+  const std::array<std::string, 2> representations{{distended, packages}};
 
   Boundaries<2>
   boundaries_of(Symmetry symmetry)
@@ -90,11 +89,12 @@ namespace
     }
 
     void
-    lay_down(const Lattice<2> &grid, const std::vector<Element<2>> &elements,
-             const std::shared_ptr<const Representation> &representation, KineticLoss loss = KineticLoss::heat)
+    lay_down(const Lattice<2> &grid, const std::vector<Element<2>> &elements, const std::string &representation,
+             KineticLoss loss = KineticLoss::heat)
     {
-      report = to_eulerian<2>(MPI_COMM_SELF, grid, CellPacketLayout<2>::of(state), elements, *representation, mesh,
-                              Halo<2>(MPI_COMM_SELF, mesh, {}), {}, boundaries_of(grid.symmetry), loss, state);
+      report = to_eulerian<2>(MPI_COMM_SELF, grid, CellPacketLayout<2>::of(state), elements,
+                              *RepresentationRegistry::make(representation), mesh, Halo<2>(MPI_COMM_SELF, mesh, {}), {},
+                              boundaries_of(grid.symmetry), loss, state);
     }
 
     double
@@ -146,7 +146,7 @@ TEST(ToEulerian, DistortedElementsKeepMassMomentumAndTotalEnergy)
 {
   figure::Largest change("projection to Eulerian: mass, momentum, energy, relative change", "<= 1e-12");
   for (const Symmetry symmetry : {Symmetry::planar, Symmetry::axisymmetric})
-    for (const auto &representation : representations)
+    for (const std::string &representation : representations)
       {
         const Cloud cloud(symmetry, 0.35, 0.2);
         Target      target(cloud.grid, hanging_keys(cloud.grid));
@@ -158,7 +158,7 @@ TEST(ToEulerian, DistortedElementsKeepMassMomentumAndTotalEnergy)
 
 TEST(ToEulerian, FoldedAndMirroredElementsAreConservedToo)
 {
-  for (const auto &representation : representations)
+  for (const std::string &representation : representations)
     {
       Cloud  cloud(Symmetry::axisymmetric, 1.5, 0.2);
       Target target(cloud.grid, uniform_keys(cloud.grid, 1));
@@ -176,7 +176,7 @@ TEST(ToEulerian, FoldedAndMirroredElementsAreConservedToo)
 TEST(ToEulerian, UniformVelocityStaysUniform)
 {
   figure::Largest deviation("projection of a uniform velocity: deviation, cm/us", "uniform");
-  for (const auto &representation : representations)
+  for (const std::string &representation : representations)
     {
       const Cloud cloud(Symmetry::axisymmetric, 0.35, 0.);
       Target      target(cloud.grid, hanging_keys(cloud.grid));
@@ -215,7 +215,7 @@ TEST(ToEulerian, PackagesKeepTrueDensityExactly)
 
 TEST(ToEulerian, OverlappingFragmentsLoseNothing)
 {
-  for (const auto &representation : representations)
+  for (const std::string &representation : representations)
     {
       const Cloud cloud(Symmetry::axisymmetric, 0.2, 0.2);
       auto        elements = cloud.elements();
@@ -294,7 +294,7 @@ TEST(ToEulerian, WhatLiesBeyondTheDomainIsBooked)
   Cloud cloud(Symmetry::axisymmetric, 0.3, 0.2);
   for (double &z : cloud.state.position[1])
     z += 0.25;
-  for (const auto &representation : representations)
+  for (const std::string &representation : representations)
     {
       Target target(cloud.grid, uniform_keys(cloud.grid, 1));
       target.lay_down(cloud.grid, cloud.elements(), representation);

@@ -12,8 +12,8 @@ namespace whipple::projection
   struct Parcel
   {
     Vector<2> lower{}, upper{}; ///< of its box, cm
-    double    solid  = 0;       ///< area that its solid would fill, cm^2
-    double    weight = 0;       ///< how much of a fragment it is: solid / s^2, more beside the axis
+    double    solid = 0;        ///< area that its solid would fill, cm^2
+    double    size  = 0;        ///< of the fragments there, cm
 
     double
     area() const
@@ -30,9 +30,10 @@ namespace whipple::projection
   std::vector<ParcelGroup>
   touching_sets(std::span<const Parcel> parcels);
 
-  /// Cut a set in two, again and again, until each part is one fragment: its weight is nearest to 1, and its extent, as
-  /// if it were solid, no more than 1.5 fragment sizes (where single parcels allow it). Equations:
-  /// doc/theory/fragments.md. Depends on the parcels and their order only.
+  /// Cut a set in two, again and again, until each part is one fragment: its weight is nearest to 1, and its length, as
+  /// if it were solid, no more than 1.5 fragment sizes (where single parcels allow it). In axisymmetry a part that
+  /// touches the axis is looked at together with its mirror image. Equations: doc/theory/fragments.md. Depends on the
+  /// parcels and their order only.
   std::vector<ParcelGroup>
-  cut_into_fragments(std::span<const Parcel> parcels, const ParcelGroup &set);
+  cut_into_fragments(Symmetry symmetry, std::span<const Parcel> parcels, const ParcelGroup &set);
 } // namespace whipple::projection
