@@ -155,6 +155,7 @@ set(WHIPPLE_FLAT
     source/scene/polygon_corners.cc
     source/scene/end_at_leading_edge.cc
     source/scene/end_at_time.cc
+    source/scene/end_when_debris_is_free.cc
     source/scene/end_when_settled.cc
     source/scene/polygon_shape.cc
     source/scene/shape.cc
@@ -235,6 +236,7 @@ set(WHIPPLE_DEALII
     source/run/state_guard.cc
     source/run/state_rows.cc
     source/run/time_step_history.cc
+    source/scene/automatic_stages.cc
     source/scene/bodies_section.cc
     source/scene/check_bodies.cc
     source/scene/check_inflow.cc

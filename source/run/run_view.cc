@@ -49,6 +49,27 @@ namespace whipple
   }
 
   template <int dim>
+  StageView::Debris
+  RunView<dim>::beyond(double plane, double velocity) const
+  {
+    constexpr int        corners = FlatMesh<dim>::corners;
+    const FlatMesh<dim> &mesh    = run_.domain.view->mesh;
+    const State<dim>    &state   = run_.domain.state;
+    const auto           belongs = [&](Index c) {
+      double place = 0, speed = 0;
+      for (int k = 0; k < corners; ++k)
+        {
+          const Index n = mesh.cell_node[c * corners + k];
+          place += state.position[1][n] / corners;
+          speed += state.velocity[1][n] / corners;
+        }
+      return place > plane && speed > velocity;
+    };
+    const ConservedTotals<dim> sum = cell_sum<dim>(mesh, state, belongs, run_.domain.communicator());
+    return {sum.mass, sum.momentum[1]};
+  }
+
+  template <int dim>
   std::map<std::string, double>
   RunView<dim>::watched() const
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/scene/automatic_stages.h>
 #include <whipple/scene/extra_section.h>
 #include <whipple/scene/inflow_check.h>
 #include <whipple/scene/nearest_name.h>
@@ -135,6 +136,7 @@ namespace whipple
     std::vector<PrmStatement> statements = read_prm_statements(file);
     statements.insert(statements.end(), overrides.begin(), overrides.end());
     drop_study(file, statements);
+    expand_automatic_stages(statements);
 
     SceneParameters parameters(file);
     declare_all(parameters, statements);

@@ -44,8 +44,12 @@ namespace whipple::sections
       input.rest   = section.text("End");
       input.bodies = body_names(scene);
       for (const Body<dim> &body : scene.bodies)
-        input.fronts.push_back(extent(body.shape).lower[1]);
-      input.value = [&](const std::string &text, const units::Quantity &quantity) {
+        {
+          input.fronts.push_back(extent(body.shape).lower[1]);
+          input.rears.push_back(extent(body.shape).upper[1]);
+        }
+      input.largest_speed = largest_body_speed(scene);
+      input.value         = [&](const std::string &text, const units::Quantity &quantity) {
         return section.parse("End", text, quantity);
       };
       input.body   = [&](const std::string &text) { return section.name_index("End", text, body_names(scene)); };
@@ -179,7 +183,10 @@ namespace whipple::sections
   void
   declare_stages(SceneParameters &parameters, const std::vector<std::string> &names)
   {
-    SceneSection(parameters, path).declare("List", "", "names of the stages in their order; each has its subsection");
+    SceneSection(parameters, path)
+        .declare("List", "",
+                 "automatic (the chain that the plates ask for) | names of the stages in their order; each has its "
+                 "subsection");
     for (const std::string &name : names)
       {
         SceneSection section(parameters, path + "/" + name);

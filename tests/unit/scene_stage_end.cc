@@ -42,6 +42,12 @@ namespace
     {
       return 0.5;
     }
+    Debris
+    beyond(double, double) const override
+    {
+      // nothing for 0.1 us, then momentum that tends to 1
+      return {1., now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau)};
+    }
     std::map<std::string, double>
     watched() const override
     {
@@ -53,9 +59,11 @@ namespace
   read(const std::string &text)
   {
     StageEndInput input;
-    input.rest   = text;
-    input.bodies = {"bumper", "wall"};
-    input.fronts = {0., 2.};
+    input.rest          = text;
+    input.bodies        = {"bumper", "wall"};
+    input.fronts        = {0., 2.};
+    input.rears         = {0.1, 2.1};
+    input.largest_speed = 0.5;
     input.value = [](const std::string &part, const units::Quantity &quantity) { return units::parse(part, quantity); };
     input.body  = [](const std::string &name) -> std::size_t {
       if (name == "wall")
@@ -122,11 +130,32 @@ namespace
       }
   }
 
+  /// Momentum that tends to 1 as 1 - exp(-(t - 0.1)): between looks a factor 1.21 apart it grows by less than 1 % from
+  /// the root of e^-(t/1.21 - 0.1) - e^-(t - 0.1) = 0.01 (1 - e^-(t - 0.1)) on. That must be seen twice, one look (1.1)
+  /// apart, and the first look after it may be another one late.
+  TEST(StageEnd, DebrisIsFreeWhenItsMomentumGrowsNoMore)
+  {
+    const auto growth = [](double t) {
+      return (std::exp(-(t / 1.21 - 0.1)) - std::exp(-(t - 0.1))) - 0.01 * (1. - std::exp(-(t - 0.1)));
+    };
+    double low = 3., high = 9.;
+    for (int i = 0; i < 60; ++i)
+      (growth(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+    EXPECT_NEAR(low, 4.80, 0.3);
+    for (const double step : {0.003, 0.02})
+      {
+        FakeStage    stage;
+        const double end = run(*read("until debris is free of bumper"), stage, step);
+        EXPECT_GE(end, 1.1 * low * (1. - 1e-6));
+        EXPECT_LE(end, 1.21 * low * (1. + 1e-6));
+      }
+  }
+
   TEST(StageEnd, WhatIsNotUnderstoodIsRefused)
   {
     for (const char *text : {"", "until settled", "until settled within 1 %", "until settled within 1 % for", "0 us",
                              "for -1 us", "until settled within 0 % for 2 us", "until settled within 1 % for 0 us",
-                             "until leading edge reaches moon", "when it is over"})
+                             "until leading edge reaches moon", "until debris is free of moon", "when it is over"})
       EXPECT_THROW(read(text), InputError) << text;
   }
 } // namespace

@@ -31,6 +31,8 @@ namespace whipple
     fastest() const override;
     /// Kinetic energy of each body (of all together where they cannot be told apart), hole diameter and crater depth of
     /// each plate.
+    Debris
+    beyond(double plane, double velocity) const override;
     std::map<std::string, double>
     watched() const override;
 

@@ -39,6 +39,14 @@ namespace whipple
     /// Largest velocity of a node along axis 1, cm/us.
     virtual double
     fastest() const = 0;
+    struct Debris
+    {
+      double mass     = 0; ///< g
+      double momentum = 0; ///< along axis 1, g cm/us
+    };
+    /// Material beyond a plane across axis 1 [cm] that is faster along it than `velocity` [cm/us].
+    virtual Debris
+    beyond(double plane, double velocity) const = 0;
     /// What there is to watch, by name: kinetic energy of each body, hole and crater of each plate ... (cm, g, us,
     /// Mbar)
     virtual std::map<std::string, double>
@@ -91,9 +99,11 @@ namespace whipple
   /// What a scene says after the words that name a stage end, and what it needs to be understood.
   struct StageEndInput
   {
-    std::string              rest;   ///< the text after the phrase
-    std::vector<std::string> bodies; ///< names
-    std::vector<double>      fronts; ///< lower face of each along axis 1, cm
+    std::string              rest;              ///< the text after the phrase
+    std::vector<std::string> bodies;            ///< names
+    std::vector<double>      fronts;            ///< lower face of each along axis 1, cm
+    std::vector<double>      rears;             ///< upper face, cm
+    double                   largest_speed = 0; ///< of the bodies, cm/us
 
     /// A part of the text as a value in internal units. Throws InputError that names file, key and value.
     std::function<double(const std::string &text, const units::Quantity &quantity)> value;

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/error.h>
+#include <whipple/scene/stage_end.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whipple
+{
+  namespace
+  {
+    /// When a plate has been perforated and gives no more momentum to, or takes it from, the debris behind it.
+    ///
+    /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
+    /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free when its axial
+    /// momentum has grown by less than `share` between looks two apart (in the last sixth of the time), twice in a row;
+    /// a hand-over in the middle of it would be a different one for every mesh. The memory holds the time of the next
+    /// look, how often it was quiet, and the momenta of the last two looks.
+    class EndWhenDebrisIsFree : public StageEnd
+    {
+    public:
+      EndWhenDebrisIsFree(std::string name, double rear, double velocity)
+        : name_(std::move(name))
+        , rear_(rear)
+        , velocity_(velocity)
+      {
+      }
+      double
+      expected(const StageOutlook &outlook) const override
+      {
+        // the debris has left the plate by several of its own lengths
+        constexpr double lengths = 3;
+        if (!(outlook.fastest > 0))
+          return std::numeric_limits<double>::infinity();
+        return outlook.start + lengths * std::max(rear_ - outlook.front, 0.1) / outlook.fastest;
+      }
+      bool
+      is_known() const override
+      {
+        return false;
+      }
+      Left
+      time_left(const StageView &stage, std::vector<double> &memory) const override
+      {
+        const double past = stage.time() - stage.start();
+        if (memory.empty())
+          {
+            // until something has come through, look at every step
+            const double fastest = stage.fastest();
+            if (past > 0 && fastest < velocity_)
+              throw StateError("'" + name_ + "' has not been perforated, the chain of stages ends here: after " +
+                               std::to_string(past) + " us nothing is faster than " + std::to_string(fastest) +
+                               " cm/us, a tenth of the fastest body is " + std::to_string(velocity_));
+            const double step = stage.finest_cell() / std::max(fastest, velocity_);
+            if (!(past > 0) || !(stage.beyond(rear_, velocity_).momentum > 0))
+              return {step, stage.time() + 10. * step};
+            memory = {past * growth, 0., 0., 0.};
+          }
+        if (past < memory[0] * (1. - 1e-9))
+          return {memory[0] - past, stage.time() + memory[0] - past};
+        const double momentum = stage.beyond(rear_, velocity_).momentum;
+        const bool   quiet    = memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
+        memory                = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum};
+        if (memory[1] >= 2.)
+          return {0., stage.time()};
+        return {memory[0] - past, stage.time() + memory[0] - past};
+      }
+
+    private:
+      static constexpr double growth = 1.1;
+      static constexpr double share  = 0.01;
+
+      std::string name_;
+      double      rear_;     ///< of the plate, cm
+      double      velocity_; ///< least one of debris, cm/us
+    };
+
+    const StageEndRegistration registration(
+        "until debris is free of",
+        {"'until debris is free of BODY'",
+         "when what flies behind that plate no longer gains momentum: less than 1 % in a sixth of the time",
+         [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
+           constexpr double  least_part = 0.1;
+           const std::size_t body       = input.body(input.rest);
+           if (!(input.largest_speed > 0))
+             input.reject("nothing moves in this scene; allowed is a time");
+           return std::make_shared<EndWhenDebrisIsFree>(input.bodies[body], input.rears[body],
+                                                        least_part * input.largest_speed);
+         }});
+  } // namespace
+} // namespace whipple
