@@ -5,12 +5,16 @@ already prove, and what the fuzz driver found (tests/stability/fuzz_record.json)
 
     scripts/stability_page.py build/tests [GTEST_FILTER]       runs the suite, on all cores
     scripts/stability_page.py --from REPORT.json...            from reports of the test program that are there
+    scripts/stability_page.py --fuzzing                        the section on fuzzing only, from the record as it is
 
 Standard library only.
 """
+import collections
 import json
+import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -114,26 +118,55 @@ def summary(rows):
             f"{quick:.0f} s for the quick third, {everything:.0f} s for all.\n")
 
 
+FUZZ_HEAD = """## Fuzzing
+
+`tests/stability/fuzz.py` makes random valid scenes from a seed (geometry, 0.1 to 20 km/s, materials and their laws, effects,
+meshes, stage lists, cohesion, representation, 1 to 3 ranks) and runs each. Bodies are drawn and stages end so that a scene has
+some hundred steps and, as predicted, at most 60,000 cell steps (`--work N`). What must not happen: a crash, something that is
+not a number, a hang, an open ledger (closure above 1e-12), kinetic energy above what the bodies brought, an exit status other
+than 0 or 3, a stop without a clear reason, another result on another number of ranks. The same seed makes the same scenes. A
+scene that fails is left with the command that repeats it. With `--record FILE` what was found is written after every scene; the
+same command goes on where it stopped, `--failed` runs those again that failed.
+
+    ./whipple fuzz                                  20 scenes of a new seed, as in every test run
+    ./whipple --debug fuzz --scenes 500             under deal.II's assertions and sanitizers
+    ./whipple fuzz --seed 3 --scenes 10000 --jobs 2 --record tests/stability/fuzz_record.json
+    ./whipple fuzz --seed 7 --only 133 --reduce     the smallest scene that fails as number 133 of seed 7 does
+"""
+
+
+def shares(counts):
+    """Kinds and numbers, by the figure that a kind begins or ends with, then by name."""
+    figure = lambda what: [float(n) for n in re.findall(r"[\d.]+", what)] or [math.inf]
+    return ", ".join(f"{what}: {number}" for what, number in sorted(counts.items(), key=lambda item: (figure(item[0]), item[0])))
+
+
+def fuzz_runs(entries):
+    lines = ["| build | seed | scenes | completed | stopped with a reason | failed | s of a processor | a scene, s | commits |",
+             "|---|---|---|---|---|---|---|---|---|"]
+    for run in entries:
+        scenes = sum(run["commits"].values())
+        lines.append(f"| {run['build']} | {run['seed']} | {scenes} | {run['completed']} | {sum(run['stopped'].values())} | {len(run['failed'])} "
+                     f"| {run['processor_s']:.0f} | {shares(run['classes'])} | {', '.join(sorted(run['commits']))} |")
+    return lines
+
+
 def fuzz_section():
-    lines = ["## Fuzzing", "",
-             "`tests/stability/fuzz.py` makes random valid scenes from a seed (geometry, 0.1 to 20 km/s, materials and their laws,",
-             "effects, meshes, stage lists, cohesion, representation, 1 to 3 ranks) and runs each for some hundred steps. What must not",
-             "happen: a crash, something that is not a number, a hang, an open ledger (closure above 1e-12), kinetic energy above what the",
-             "bodies brought, an exit status other than 0 or 3, a stop without a clear reason. The same seed makes the same scenes. A scene that",
-             "fails is left with the command that repeats it.", "",
-             "    ./whipple fuzz                                  20 scenes of a new seed, as in every test run",
-             "    ./whipple --debug fuzz --scenes 500             under deal.II's assertions and sanitizers",
-             "    ./whipple fuzz --scenes 10000 --jobs 2          a day's work",
-             "    ./whipple fuzz --seed 7 --only 133 --reduce     the smallest scene that fails as number 133 of seed 7 does",
-             ""]
-    if not FUZZ.exists():
-        return "\n".join(lines)
-    lines += ["| build | seed | scenes | completed | stopped with a reason | failed | s | commit |", "|---|---|---|---|---|---|---|---|"]
-    for run in json.loads(FUZZ.read_text(encoding="utf-8")):
-        lines.append(f"| {run['build']} | {run['seed']} | {run['scenes']} | {run['completed']} | {run['stopped']} | {run['failed']} "
-                     f"| {run['seconds']:.0f} | {run['commit']} |")
-        for what, number in sorted(run["failures"].items()):
-            lines.append(f"|  |  | {number} | {what} |  |  |  |  |")
+    entries = json.loads(FUZZ.read_text(encoding="utf-8")) if FUZZ.exists() else []
+    if not entries:
+        return FUZZ_HEAD
+    lines = [FUZZ_HEAD, *fuzz_runs(entries), ""]
+    stopped, kinds = collections.Counter(), collections.defaultdict(collections.Counter)
+    for run in entries:
+        stopped.update(run["stopped"])
+        for group, counts in run["kinds"].items():
+            kinds[group].update(counts)
+    lines += [f"* failed: {run['build']}, seed {run['seed']}, scene {failure['scene']}: {failure['what']}: {failure['detail']}"
+              for run in entries for failure in run["failed"]]
+    lines += ["Reasons to stop (numbers and names as \\*):", "", "| scenes | reason |", "|---|---|"]
+    lines += [f"| {number} | {reason.replace('*', chr(92) + '*').replace('|', '/')} |" for reason, number in stopped.most_common()]
+    lines += ["", "What the scenes tried, and how many of them:", "", "| | |", "|---|---|"]
+    lines += [f"| {group} | {shares(counts)} |" for group, counts in sorted(kinds.items())]
     return "\n".join(lines) + "\n"
 
 
@@ -141,6 +174,13 @@ def main():
     arguments = sys.argv[1:]
     if not arguments:
         sys.exit(__doc__)
+    page = ROOT / "doc" / "stability.md"
+    if arguments[0] == "--fuzzing":
+        before, mark, _ = page.read_text(encoding="utf-8").partition(FUZZ_HEAD.splitlines()[0])
+        if not mark:
+            sys.exit(f"{page} has no section on fuzzing")
+        page.write_text(before + fuzz_section(), encoding="utf-8")
+        return
     with tempfile.TemporaryDirectory() as temporary:
         if arguments[0] == "--from":
             reports = arguments[1:]
@@ -148,7 +188,6 @@ def main():
             test_filter = arguments[1] if len(arguments) > 1 else "*"
             reports = run_suite(pathlib.Path(arguments[0]) / "stability_tests", test_filter, pathlib.Path(temporary))
         rows = rows_of(reports)
-    page = ROOT / "doc" / "stability.md"
     page.write_text("\n".join([HEAD, summary(rows), cases_table(rows), ELSEWHERE, fuzz_section()]), encoding="utf-8")
     short = [f"{row[0]}: {row[3][2]}: {row[3][3]}" for row in rows if row[3][6] != "holds"]
     if short:

@@ -4,7 +4,9 @@
 open ledger, kinetic energy from nowhere, results that depend on the number of ranks, a stop without a clear reason.
 
     tests/stability/fuzz.py build/whipple                       20 scenes of a new seed, which is printed
-    tests/stability/fuzz.py build/whipple --seed 7 --scenes 10000 --jobs 2
+    tests/stability/fuzz.py build/whipple --seed 7 --scenes 10000 --jobs 2 --record FILE.json
+                                                                written after every scene: the same command goes on with it
+    tests/stability/fuzz.py build/whipple --seed 7 --record FILE.json --failed       those again that failed, as the record says
     tests/stability/fuzz.py build/whipple --seed 7 --only 133   one of them again, its output kept
     tests/stability/fuzz.py build/whipple --seed 7 --only 133 --reduce      the smallest scene that fails the same way
 
@@ -26,10 +28,12 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 sys.dont_write_bytecode = True  # nothing into the source folder
 
+import fuzz_record
 import fuzz_reduce
 import fuzz_scene
 
@@ -46,7 +50,11 @@ ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROO
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_mpi_yield_when_idle="1")
 ENVIRONMENT.setdefault("ASAN_OPTIONS", "detect_leaks=0")  # MPI libraries never give back all they took
 
-Outcome = collections.namedtuple("Outcome", "failure status reason seconds")  # failure: (kind, detail) or None
+Outcome = collections.namedtuple("Outcome", "failure status reason processor")  # failure: (kind, detail) or None; seconds
+
+
+class Ended(Exception):
+    """The driver is to end: what runs is no result."""
 
 
 def processes_with(mark):
@@ -165,38 +173,47 @@ class Driver:
     def __init__(self, options):
         self.options = options
         self.program = str(pathlib.Path(options.program).resolve())
+        self.ending = threading.Event()
 
     def command(self, scene_file, ranks, directory):
         return [self.program, "run", str(scene_file), "-n", str(ranks), "--output", str(directory)]
 
     def start(self, scene, ranks, folder, name):
-        """Run a scene: (status, text, directory); status None after the limit on processor time."""
+        """Run a scene: (status, text, directory, processor seconds); status None after the limit on processor time."""
         file, directory = folder / f"{name}.prm", folder / name
         file.write_text(fuzz_scene.text(scene), encoding="utf-8")
         with open(folder / f"{name}.txt", "w+", encoding="utf-8", errors="replace") as output:
             process = subprocess.Popen(self.command(file, ranks, directory), cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
                                        stdout=output, stderr=subprocess.STDOUT)
-            status = self.wait(process, str(directory))
+            status, processor = self.wait(process, str(directory))
             output.seek(0)
-            return status, output.read(), directory
+            return status, output.read(), directory, processor
 
     def wait(self, process, mark):
-        """Exit status of a run, None if it was ended because it took too long: all its ranks have `mark` in their command."""
-        began = time.time()
+        """Exit status of a run, None if it was ended because it took too long, and the processor seconds of all its ranks, which
+        have `mark` in their command."""
+        began, late = time.time(), False
         while True:
+            ended, status, usage = os.wait4(process.pid, os.WNOHANG)
+            if ended:
+                process.returncode = os.waitstatus_to_exitcode(status)
+                if self.ending.is_set():
+                    raise Ended
+                return None if late else process.returncode, usage.ru_utime + usage.ru_stime
+            elapsed = time.time() - began
+            time.sleep(0.02 if elapsed < 1 else 0.2)
+            used = max(map(processor_seconds, processes_with(mark)), default=0.) if elapsed > self.options.timeout else 0.
+            if used > self.options.timeout or elapsed > PATIENCE * self.options.timeout or self.ending.is_set():
+                late = True
+                self.kill(mark)
+
+    @staticmethod
+    def kill(mark):
+        for pid in processes_with(mark):
             try:
-                return process.wait(timeout=0.2 if time.time() - began < 5 else 1.)
-            except subprocess.TimeoutExpired:
-                pass
-            used = max(map(processor_seconds, processes_with(mark)), default=0.)
-            if used > self.options.timeout or time.time() - began > PATIENCE * self.options.timeout:
-                for pid in processes_with(mark):
-                    try:
-                        os.kill(pid, signal.SIGKILL)
-                    except OSError:
-                        pass  # it has just ended
-                process.wait()
-                return None
+                os.kill(pid, signal.SIGKILL)
+            except OSError:
+                pass  # it has just ended
 
     def hang(self, directory):
         columns = statistics(directory)
@@ -206,17 +223,17 @@ class Driver:
         return ("collapse of the time step" if slow else "hang", f"{where}, {self.options.timeout:g} s")
 
     def run(self, scene, ranks, compare=True):
-        began = time.time()
         folder = pathlib.Path(tempfile.mkdtemp(prefix="fuzz"))
         try:
-            status, text, directory = self.start(scene, ranks, folder, "scene")
+            status, text, directory, processor = self.start(scene, ranks, folder, "scene")
             failure, reason = (self.hang(directory), None) if status is None else judge(status, text, directory, scene)
             if failure is None and ranks > 1 and compare:
-                again, _, alone = self.start(scene, 1, folder, "alone")
+                again, _, alone, more = self.start(scene, 1, folder, "alone")
+                processor += more
                 column = differing_column(statistics(directory), statistics(alone))
                 if again != status or column:
                     failure = ("depends on the number of ranks", f"status {status} and {again}, column '{column}'")
-            return Outcome(failure, status, reason, time.time() - began)
+            return Outcome(failure, status, reason, processor)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
@@ -224,18 +241,19 @@ class Driver:
         self.options.keep.mkdir(parents=True, exist_ok=True)
         file = self.options.keep / f"{name}.prm"
         head = [f"# {failure[0]}: {failure[1]}", f"#   whipple run {file.name} -n {ranks}",
-                f"#   fuzz.py {self.options.program} --seed {self.options.seed} --only {name.split('-')[1]} --reduce"]
+                f"#   fuzz.py {self.options.program} --seed {self.options.seed} --work {self.options.work} --only "
+                f"{name.split('-')[1]} --reduce"]
         file.write_text("\n".join(head) + "\n" + fuzz_scene.text(scene), encoding="utf-8")
         return file
 
     def one(self, number):
-        scene, ranks = fuzz_scene.make(self.options.seed, number)
+        scene, ranks = fuzz_scene.make(self.options.seed, number, self.options.work)
         outcome = self.run(scene, ranks)
         file = self.keep(scene, ranks, outcome.failure, f"{self.options.seed}-{number}") if outcome.failure else None
-        return number, outcome, file
+        return number, outcome, file, fuzz_scene.kinds(scene, ranks)
 
     def reduce(self, number):
-        scene, ranks = fuzz_scene.make(self.options.seed, number)
+        scene, ranks = fuzz_scene.make(self.options.seed, number, self.options.work)
         outcome = self.run(scene, ranks)
         if not outcome.failure:
             sys.exit(f"scene {number} of seed {self.options.seed} does not fail")
@@ -254,22 +272,9 @@ class Driver:
         print(f"{kind}: {last[0][1]}\n{file}")
 
 
-def kind_of(reason):
-    """A reason without its numbers."""
-    return re.sub(r"[-+]?\d[\d.e+-]*|'[^']*'", "*", reason)[:70]
-
-
-def record(options, outcomes, seconds):
-    """Append what was found to a JSON file that scripts/stability_page.py shows."""
-    version = subprocess.run([options.program, "--version"], capture_output=True, text=True).stdout
-    failed = collections.Counter(o.failure[0] for o in outcomes if o.failure)
-    entry = {"build": options.build, "seed": options.seed, "scenes": len(outcomes),
-             "completed": sum(not o.failure and o.status == 0 for o in outcomes),
-             "stopped": sum(not o.failure and o.status == 3 for o in outcomes), "failed": sum(failed.values()),
-             "failures": dict(failed), "seconds": seconds, "commit": (re.search(r"[0-9a-f]{7,40}(-dirty)?", version) or [""])[0]}
-    earlier = json.loads(options.record.read_text(encoding="utf-8")) if options.record.exists() else []
-    earlier = [run for run in earlier if (run["build"], run["seed"]) != (entry["build"], entry["seed"])]
-    options.record.write_text(json.dumps(earlier + [entry], indent=1) + "\n", encoding="utf-8")
+def commit_of(program):
+    version = subprocess.run([program, "--version"], capture_output=True, text=True, env=ENVIRONMENT).stdout
+    return (re.search(r"[0-9a-f]{7,40}(-dirty)?", version) or ["unknown"])[0]
 
 
 def parse():
@@ -284,14 +289,28 @@ def parse():
     parser.add_argument("--timeout", type=float, default=60, help="processor seconds a rank may take")
     parser.add_argument("--budget", type=float, default=math.inf, help="seconds after which no further scene starts")
     parser.add_argument("--keep", type=pathlib.Path, default=pathlib.Path("fuzz_failures"), help="where failing scenes go")
-    parser.add_argument("--record", type=pathlib.Path, help="append the result to this JSON file")
+    parser.add_argument("--work", type=int, default=fuzz_scene.WORK, help="cell steps of a scene, as predicted (default %(default)s)")
+    parser.add_argument("--record", type=pathlib.Path, help="keep what is found in this JSON file, and go on with what it has")
+    parser.add_argument("--failed", action="store_true", help="with --record: run those again that failed")
     parser.add_argument("--build", default="Release", help="name of the build in the record")
     options = parser.parse_args()
     if options.seed is None:
         options.seed = random.SystemRandom().randrange(10**6)
     if options.only is not None:
         options.first, options.scenes = options.only, 1
+    if options.work < fuzz_scene.LEAST_WORK:
+        parser.error(f"--work {options.work}: {fuzz_scene.LEAST_WORK} or more")
+    if options.failed and not options.record:
+        parser.error("--failed: needs a --record")
     return options
+
+
+def numbers_to_run(options, record):
+    if options.failed:
+        return sorted(record.failed())
+    if options.only is not None:
+        return [options.only]
+    return [number for number in range(options.first, options.first + options.scenes) if number not in record.numbers]
 
 
 def main():
@@ -299,29 +318,24 @@ def main():
     driver = Driver(options)
     if options.reduce:
         return driver.reduce(options.only)
-    print(f"seed {options.seed}, scenes {options.first} to {options.first + options.scenes - 1}", flush=True)
-    began, outcomes = time.time(), []
+    record = fuzz_record.Record(options.record, {"build": options.build, "seed": options.seed,
+                                                 "generator": fuzz_scene.GENERATOR, "work": options.work})
+    numbers, commit, began, failed = numbers_to_run(options, record), commit_of(driver.program), time.time(), 0
+    print(f"seed {options.seed}, {len(numbers)} scenes: {fuzz_record.text_of(numbers)}", flush=True)
+    for ending in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(ending, lambda *_: driver.ending.set())
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        work = lambda number: driver.one(number) if time.time() - began < options.budget else None
-        started = [pool.submit(work, number) for number in range(options.first, options.first + options.scenes)]
+        go_on = lambda: time.time() - began < options.budget and not driver.ending.is_set()
+        started = [pool.submit(lambda number: driver.one(number) if go_on() else None, number) for number in numbers]
         for done in concurrent.futures.as_completed(started):
-            if done.result() is None:  # out of budget
+            if isinstance(done.exception(), Ended) or done.result() is None:  # no time was left
                 continue
-            number, outcome, file = done.result()
-            outcomes.append(outcome)
+            number, outcome, file, kinds = done.result()
+            record.add(number, outcome, kinds, commit)
             if outcome.failure:
+                failed += 1
                 print(f"scene {number}: {outcome.failure[0]}: {outcome.failure[1]}  ({file})", flush=True)
-    failed = collections.Counter(o.failure[0] for o in outcomes if o.failure)
-    stopped = collections.Counter(kind_of(o.reason) for o in outcomes if not o.failure and o.status == 3)
-    seconds = time.time() - began
-    print(f"{len(outcomes)} scenes of seed {options.seed} in {seconds:.0f} s: {sum(failed.values())} failed, "
-          f"{sum(stopped.values())} stopped with a reason")
-    for what, number in failed.most_common():
-        print(f"  failed   {number:5d}  {what}")
-    for what, number in stopped.most_common():
-        print(f"  stopped  {number:5d}  {what}")
-    if options.record:
-        record(options, outcomes, seconds)
+    print("\n".join(record.lines()))
     return 1 if failed else 0
 
 

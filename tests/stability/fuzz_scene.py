@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random valid scenes. A scene is a nested dict in the order of the file: section -> entries. The same seed and number
-give the same scene."""
+"""Random valid scenes. A scene is a nested dict in the order of the file: section -> entries. The same seed, number and
+work give the same scene."""
+import math
 import random
 
-STEPS = 300  # about as many are taken of a scene
+GENERATOR = 2         # another number when the same seed gives other scenes than before: records are not mixed
+WORK = 60_000         # cell steps of a scene, as predicted: some 2 s of a core under sanitizers, 0.1 s without, and the start
+STEPS = (60, 300)     # least and most of a scene, as predicted; a scene that is too large for the least is drawn again
+LEAST_WORK = 20_000   # smaller scenes are hardly ever drawn
+COURANT, SOUND = 0.4, 0.7  # of the prediction; cm/us
+BUFFER = 3            # cells around a body that a fixed mesh has, too
+WITHOUT_LAW = 0.1     # part of the scenes in which a material may lack the void law that a moving mesh needs
 
 # library name -> what the library has for it
 METALS = {
@@ -144,7 +151,30 @@ def aligned(r, value, cell):
     return line if kind < 0.4 else line + cell * 10 ** r.uniform(-12, -1) if kind < 0.5 else value
 
 
-def bodies(r, planar, names, cell, width, speed):
+def lengths(text_of_pair):
+    """cm"""
+    return [float(part.split()[0]) for part in text_of_pair.split(",")]
+
+
+def cells_of(all_bodies, planar, cell, width, height):
+    """About as many cells are active: those of the bodies and some around them, no more than the domain has."""
+    area = edge = 0.
+    for body in all_bodies.values():
+        if body["Shape"] == "sphere":
+            diameter = lengths(body["Diameter"])[0]
+            part = 1. if planar and lengths(body["Center"])[0] > 0 else 0.5
+            area, edge = area + part * math.pi / 4 * diameter**2, edge + part * math.pi * diameter
+            continue
+        if body["Shape"] == "box":
+            (x0, y0), (x1, y1) = lengths(body["Lower corner"]), lengths(body["Upper corner"])
+            sides = (x1 - x0, y1 - y0)
+        else:
+            sides = (lengths(body.get("Half width", units(width, "cm")))[0], lengths(body["Thickness"])[0])
+        area, edge = area + sides[0] * sides[1], edge + 2 * sum(sides)
+    return min(area / cell**2 + BUFFER * edge / cell, width * height / cell**2)
+
+
+def bodies(r, planar, names, cell, width, speed, on_lines):
     """Striker, plates behind one another, perhaps a second striker and gas between the plates; the top of all."""
     result = {}
     diameter = cell * r.uniform(3, 12)  # at most the width of the narrowest domain
@@ -185,24 +215,30 @@ def bodies(r, planar, names, cell, width, speed):
         front = rear + r.choice([0., cell * r.uniform(0.01, 1), cell * r.uniform(2, 10)])
     if names["gas"]:
         depth = cell * r.uniform(4, 12)
+        if on_lines:  # no cell of the gas has open void, which it could not take up
+            rear, depth = math.ceil(rear / cell) * cell, round(depth / cell) * cell
         result["filling"] = {"Shape": "plate", "Front face": units(rear, "cm"), "Thickness": units(depth, "cm"),
                              "Material": names["gas"][0], "Pressure": units(logarithmic(r, 0.1, 300), "MPa")}
         front = rear + depth
     return result, low, front
 
 
-def stages(r, all_bodies, step, handed_over):
-    """One to four stages; Lagrangian ones of all cohesions anywhere."""
+def modes_of(r):
+    """One to four modes of stages, and whether a moving mesh follows a fixed one."""
+    handed_over = r.random() < 0.6
+    chains = [["eulerian", "lagrangian"], ["eulerian", "lagrangian", "eulerian"], ["lagrangian", "eulerian", "lagrangian", "eulerian"]]
+    return r.choice(chains if handed_over else [["eulerian"], ["lagrangian"], ["lagrangian", "eulerian"]]), handed_over
+
+
+def stages(r, all_bodies, modes, step, steps):
+    """Stages of these modes; Lagrangian ones of all cohesions anywhere."""
     result = {}
     plates = [name for name in all_bodies if name.startswith("plate")]
     late = plates[-1] if len(plates) > 1 and "filling" not in all_bodies and r.random() < 0.5 else None
-    chains = [["eulerian", "lagrangian"], ["eulerian", "lagrangian", "eulerian"], ["lagrangian", "eulerian", "lagrangian", "eulerian"]]
-    modes = r.choice(chains if handed_over else [["eulerian"], ["lagrangian"], ["lagrangian", "eulerian"]])
     if modes[-1] != "eulerian" or len(modes) == 1:
         late = None
-    steps = STEPS / len(modes)
     for i, mode in enumerate(modes):
-        stage = result[f"s{i}"] = {"Mode": mode, "End": f"for {step * steps * r.uniform(0.5, 1.5):.6g} us"}
+        stage = result[f"s{i}"] = {"Mode": mode, "End": f"for {step * steps / len(modes) * r.uniform(0.5, 1.5):.6g} us"}
         if late:
             others = ", ".join(name for name in all_bodies if name != late)
             stage["Introduces"] = others if i == 0 else late if i == len(modes) - 1 else "none"
@@ -220,26 +256,32 @@ def stages(r, all_bodies, step, handed_over):
     return result
 
 
-def make(seed, number):
+def make(seed, number, work=WORK):
     """Scene `number` of a seed: (scene, ranks)."""
     r = random.Random(f"whipple {seed} {number}")
     planar = r.random() < 0.5
     speed = logarithmic(r, 0.1, 20)
     cell = 0.02 * r.choice([1., 1., 1., logarithmic(r, 0.01, 100)])
-    width = cell * r.choice([12, 16, 24])
-    handed_over = r.random() < 0.6  # from a fixed to a moving mesh: every material needs a void law then
-    materials = {f"m{i}": solid(r, handed_over) for i in range(r.choice([1, 1, 2, 3]))}
+    modes, handed_over = modes_of(r)
+    # what lies beside open void in an element needs a void law; a scene that goes over to elements is refused without
+    voids = handed_over or "lagrangian" in modes and r.random() >= WITHOUT_LAW
+    materials = {f"m{i}": solid(r, voids) for i in range(r.choice([1, 1, 2, 3]))}
     names = {"solid": list(materials), "gas": []}
     if not handed_over and r.random() < 0.3:
         materials["gas"] = {"Equation of state": "ideal gas", "Density": units(logarithmic(r, 1e-3, 0.1), "g/cm^3"),
                             "Adiabatic exponent": f"{r.uniform(1.1, 1.7):.3f}"}
         names["gas"] = ["gas"]
-    all_bodies, low, high = bodies(r, planar, names, cell, width, speed)
-    sides = lambda: r.choice(["transmitting", "transmitting", "reflecting"])
     root = 4 * cell
+    cells = math.inf
+    while cells * STEPS[0] > work:
+        width = cell * r.choice([12, 16, 24])
+        all_bodies, low, high = bodies(r, planar, names, cell, width, speed, voids)
+        low, high = (low // root - 1) * root, (high // root + 3) * root
+        cells = cells_of(all_bodies, planar, cell, width, high - low)
+    sides = lambda: r.choice(["transmitting", "transmitting", "reflecting"])
     scene = {"Title": f"fuzz {seed} {number}"}
     scene["Geometry"] = {"Symmetry": "planar" if planar else "axisymmetric",
-                         "Lower corner": pair(0, (low // root - 1) * root), "Upper corner": pair(width, (high // root + 3) * root),
+                         "Lower corner": pair(0, low), "Upper corner": pair(width, high),
                          "Left": "reflecting", "Right": sides(), "Bottom": sides(), "Top": sides()}
     levels = r.choice([0, 0, 1, 2])
     scene["Mesh"] = {"Finest cell": units(cell, "cm"), "Levels": str(levels),
@@ -249,15 +291,36 @@ def make(seed, number):
     listed = list(materials)
     r.shuffle(listed)
     scene["Materials"] = {"List": ", ".join(listed), **materials}
-    wanted = effects(r, materials, handed_over)
+    wanted = effects(r, materials, voids)
     if wanted:
         scene["Effects"] = {"List": ", ".join(wanted)}
     scene["Bodies"] = {"List": ", ".join(all_bodies), **all_bodies}
-    step = 0.4 * cell / (0.7 + 0.1 * speed)
-    chain = stages(r, all_bodies, step, handed_over)
+    step = COURANT * cell / (SOUND + 0.1 * speed)
+    chain = stages(r, all_bodies, modes, step, min(STEPS[1], work / cells))
     scene["Stages"] = {"List": ", ".join(chain), **chain}
     if r.random() < 0.3:
         scene["Numerics"] = r.choice([{"Viscosity": "tensor"}, {"Remap order": "1"}, {"Courant number": f"{r.uniform(0.1, 0.9):.2f}"},
                                       {"Hourglass coefficient": f"{r.uniform(0, 0.3):.2f}"}])
     scene["Output"] = {"Fields interval": "none"}
     return scene, r.choice([1, 1, 1, 1, 1, 1, 2, 2, 3])
+
+
+def members(scene, section):
+    """Entries of the members of a list."""
+    return [entries for entries in scene.get(section, {}).values() if isinstance(entries, dict)]
+
+
+def kinds(scene, ranks):
+    """What a scene tries: (group, kind), each once."""
+    found = {("geometry", scene["Geometry"]["Symmetry"]), ("ranks", str(ranks)),
+             ("levels", f"{scene['Mesh'].get('Levels', '0')} {scene['Mesh'].get('Refinement', '')}".strip()),
+             ("stages", " - ".join(stage["Mode"] for stage in members(scene, "Stages")))}
+    fastest = max(abs(v) for body in members(scene, "Bodies") for v in lengths(body.get("Velocity", "0")))
+    found.add(("fastest body", next((f"below {bound} km/s" for bound in (0.3, 1, 3, 10) if fastest < bound), "10 km/s and above")))
+    for section, key, group in (("Materials", "Equation of state", "equation of state"), ("Materials", "Strength", "strength"),
+                                ("Materials", "Void law", "void law"), ("Materials", "Failure", "failure"),
+                                ("Stages", "Cohesion", "cohesion"), ("Stages", "Representation", "representation"), ("Bodies", "Shape", "shape")):
+        found.update((group, entries[key]) for entries in members(scene, section) if entries.get(key, "none") != "none")
+    found.update(("effect", effect) for effect in scene.get("Effects", {}).get("List", "").split(", ") if effect)
+    found.update(("numerics", key.lower()) for key in scene.get("Numerics", {}))
+    return found
