@@ -120,7 +120,8 @@ def judge(status, text, directory, scene):
         return ("assertion or sanitizer", report), None
     if status not in (0, 3):
         lines = text.strip().splitlines() or ["nothing said"]
-        return (f"refused: {lines[-1][:200]}" if status == 2 else f"crash, status {status}", lines[-1][:200]), None
+        said = lines[-1].replace(f"{directory.parent}/", "")[:200]
+        return ("refused" if status == 2 else f"crash, status {status}", said), None
     try:
         summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
@@ -262,7 +263,7 @@ class Driver:
 
         def fails(candidate, candidate_ranks):
             result = self.run(candidate, candidate_ranks, compare=kind.startswith("depends"))
-            if result.failure and result.failure[0] == kind:
+            if result.failure and likeness(result.failure) == likeness(outcome.failure):
                 last[0] = result.failure
                 return True
             return False
@@ -270,6 +271,12 @@ class Driver:
         scene, ranks = fuzz_reduce.reduce(scene, ranks, fails)
         file = self.keep(scene, ranks, last[0], f"{self.options.seed}-{number}-reduced")
         print(f"{kind}: {last[0][1]}\n{file}")
+
+
+def likeness(failure):
+    """What a smaller scene has in common with one that fails: the kind; if the scene is refused, the reason, too."""
+    kind, detail = failure
+    return (kind, fuzz_record.kind_of(detail) if kind == "refused" else "")
 
 
 def commit_of(program):

@@ -133,6 +133,8 @@ def effects(r, materials, voids):
         wanted.append("voids")
         if has("Failure") and r.random() < 0.8:
             wanted.append("failure")
+            if "strength" not in wanted and any(m.get("Failure") == "johnson-cook damage" for m in materials.values()):
+                wanted.append("strength")  # it goes by plastic strain
         if has("Fragments") and r.random() < 0.8:
             wanted.append("fragment size")
     if has("Thermal model") and r.random() < 0.8:
