@@ -155,7 +155,7 @@ def judge(status, text, directory, scene):
         return ("kinetic energy grows", f"x {energy['kinetic'] / max(allowed, 1e-300):.6g} at the end"), reason
     if reason and re.search(r"\bnan\b|\binf\b", reason):
         return ("stopped at something that is not a number", reason[:200]), reason
-    if reason and re.search(r"lost|closure|conserv|gained", reason):
+    if reason and re.search(r"lost|closure|conserv|gained|changed the", reason):
         return ("stopped by an open ledger", reason[:200]), reason
     return None, reason
 

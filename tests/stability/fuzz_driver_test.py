@@ -13,6 +13,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 
+import fuzz
 import fuzz_record
 import fuzz_scene
 
@@ -69,6 +70,17 @@ class Numbers(unittest.TestCase):
         for numbers, text in ((set(), ""), ({0}, "0"), ({0, 1, 2, 5}, "0-2, 5"), ({3, 7, 8}, "3, 7-8")):
             self.assertEqual(fuzz_record.text_of(numbers), text)
             self.assertEqual(fuzz_record.numbers_of(text), numbers)
+
+
+class Reasons(unittest.TestCase):
+    def test_scenes_that_stop_for_one_reason_stand_together(self):
+        record = fuzz_record.Record(None, {"build": "Release", "seed": 1})
+        for number, cells in ((7, "3"), (2, "14"), (5, "1.5e-3")):
+            outcome = fuzz.Outcome(None, 3, f"'m{number}' fills {cells} cells", 0.5)
+            record.add(number, outcome, {("geometry", "planar")}, "1234567")
+        self.assertEqual(record.entry["stopped"], {"* fills * cells": "2, 5, 7"})
+        self.assertEqual(fuzz_record.stopped_scenes(record.entry), {"* fills * cells": 3})
+        self.assertEqual(record.entry["classes"], {"below 1 s": 3})
 
 
 class Driver(unittest.TestCase):

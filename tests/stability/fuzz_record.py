@@ -40,6 +40,11 @@ def count(counts, key):
     counts[key] = counts.get(key, 0) + 1
 
 
+def stopped_scenes(entry):
+    """How many scenes stopped, by reason."""
+    return collections.Counter({reason: len(numbers_of(numbers)) for reason, numbers in entry["stopped"].items()})
+
+
 class Record:
     """The entry of one build, seed, generator and size in a file; without a file it is kept in memory only."""
 
@@ -71,7 +76,8 @@ class Record:
         elif outcome.status == 0:
             entry["completed"] += 1
         else:
-            count(entry["stopped"], kind_of(outcome.reason))
+            kind = kind_of(outcome.reason)
+            entry["stopped"][kind] = text_of(numbers_of(entry["stopped"].get(kind, "")) | {number})
         entry["processor_s"] = round(entry["processor_s"] + outcome.processor, 2)
         if number not in self.numbers:
             bound = next((f"below {bound} s" for bound in FASTER_THAN if outcome.processor < bound), "more")
@@ -95,9 +101,9 @@ class Record:
 
     def lines(self):
         """Totals in words."""
-        entry = self.entry
+        entry, stopped = self.entry, stopped_scenes(self.entry)
         failures = collections.Counter(failure["what"] for failure in entry["failed"])
         head = (f"{len(self.numbers)} scenes of seed {entry['seed']}: {sum(failures.values())} failed, "
-                f"{sum(entry['stopped'].values())} stopped with a reason, {entry['processor_s']:.0f} s of a processor")
+                f"{sum(stopped.values())} stopped with a reason, {entry['processor_s']:.0f} s of a processor")
         return [head, *(f"  failed   {n:5d}  {what}" for what, n in failures.most_common()),
-                *(f"  stopped  {n:5d}  {what}" for what, n in collections.Counter(entry["stopped"]).most_common())]
+                *(f"  stopped  {n:5d}  {what}" for what, n in stopped.most_common())]
