@@ -31,8 +31,6 @@ namespace whipple
         , capacity_(setup.mesh.n_cells)
         , gained_(setup.mesh.n_owned)
       {
-        for (auto &component : centre_)
-          component.resize(setup.mesh.n_cells);
         for (int axis = 0; axis < 2; ++axis)
           heat_[axis].resize(setup.mesh.faces[axis].size());
         for (auto *array : {&conductance_, &difference_})
@@ -81,41 +79,51 @@ namespace whipple
       time_step(const State<2> &state) const override
       {
         TimeStepLimit limit{std::numeric_limits<double>::infinity(), "heat conduction", none};
-        double        diffusivity = 0;
-        for (std::size_t m = 0; m < materials_.size(); ++m)
-          if (materials_[m].conduction)
-            diffusivity = std::max(
-                diffusivity, materials_[m].conduction->reference_conductivity() /
-                                 (materials_[m].eos->reference_density() * materials_[m].thermal->specific_heat()));
         for (Index cell = 0; cell < mesh_.n_owned; ++cell)
           {
-            const double extent = smallest_edge(state, cell), dt = share_ * extent * extent / (4. * diffusivity);
-            if (dt < limit.dt && holds_material(state, cell))
-              limit = {dt, "heat conduction", cell};
+            double capacity = 0, conductivity = 0;
+            for (std::size_t m = 0; m < materials_.size(); ++m)
+              if (materials_[m].conduction)
+                {
+                  capacity += state.material[m].mass[cell] * materials_[m].thermal->specific_heat();
+                  conductivity += materials_[m].conduction->reference_conductivity() *
+                                  solid_volume(state.material[m], cell) / state.volume[cell];
+                }
+            // a face conducts at most twice as well as this cell: harmonic mean
+            const double most = 2. * conductivity * area_over_distance_of_sides(state, cell);
+            if (2. * share_ * capacity < limit.dt * most)
+              limit = {2. * share_ * capacity / most, "heat conduction", cell};
           }
         return limit;
       }
 
     private:
-      static bool
-      holds_material(const State<2> &state, Index cell)
-      {
-        return std::any_of(state.material.begin(), state.material.end(),
-                           [cell](const MaterialState &m) { return m.mass[cell] > 0; });
-      }
-
       double
       distance(const State<2> &state, Index a, Index b) const
       {
         return std::hypot(state.position[0][a] - state.position[0][b], state.position[1][a] - state.position[1][b]);
       }
 
-      double
-      smallest_edge(const State<2> &state, Index cell) const
+      static double
+      solid_volume(const MaterialState &m, Index cell)
       {
-        const Index *n = &mesh_.cell_node[cell * 4];
-        return std::min({distance(state, n[0], n[1]), distance(state, n[2], n[3]), distance(state, n[0], n[2]),
-                         distance(state, n[1], n[3])});
+        return (m.has_voids() ? 1. - m.void_fraction[cell] : 1.) * m.volume[cell];
+      }
+
+      /// Sum over the faces of a cell that have a cell behind.
+      double
+      area_over_distance_of_sides(const State<2> &state, Index cell) const
+      {
+        double sum = 0;
+        for (int side = 0; side < 4; ++side)
+          for (int s = 0; s < FlatMesh<2>::subfaces; ++s)
+            {
+              const Index face = mesh_.cell_face[side][cell * FlatMesh<2>::subfaces + s];
+              if (face != none && mesh_.faces[side / 2].cell[0][face] != none &&
+                  mesh_.faces[side / 2].cell[1][face] != none)
+                sum += area_over_distance(state, side / 2, face);
+            }
+        return sum;
       }
 
       /// Temperature, conductivity and heat capacity of every cell: means over its materials.
@@ -128,22 +136,12 @@ namespace whipple
           if (materials_[m].conduction)
             add_material(state, state.material[m], materials_[m]);
         for (Index cell = 0; cell < mesh_.n_cells; ++cell)
-          {
-            temperature_[cell] = capacity_[cell] > 0 ? temperature_[cell] / capacity_[cell] : 0.;
-            for (int d = 0; d < 2; ++d)
-              {
-                double sum = 0;
-                for (int k = 0; k < 4; ++k)
-                  sum += state.position[d][mesh_.cell_node[cell * 4 + k]];
-                centre_[d][cell] = 0.25 * sum;
-              }
-          }
+          temperature_[cell] = capacity_[cell] > 0 ? temperature_[cell] / capacity_[cell] : 0.;
       }
 
       void
       add_material(const State<2> &state, const MaterialState &m, const Material &material)
       {
-        const auto solid = [&m](Index c) { return m.has_voids() ? 1. - m.void_fraction[c] : 1.; };
         solid_state::true_density(m.density, m.void_fraction, material.eos->reference_density(), true_density_);
         ThermalOutput output;
         output.temperature   = material_temperature_;
@@ -157,7 +155,7 @@ namespace whipple
               const double capacity = m.mass[c] * specific_heat;
               capacity_[c] += capacity;
               temperature_[c] += capacity * material_temperature_[c];
-              conductivity_[c] += material_conductivity_[c] * solid(c) * m.volume[c] / state.volume[c];
+              conductivity_[c] += material_conductivity_[c] * solid_volume(m, c) / state.volume[c];
             }
       }
 
@@ -185,6 +183,16 @@ namespace whipple
       }
 
       double
+      centre(const State<2> &state, int d, Index cell) const
+      {
+        double sum = 0;
+        for (int k = 0; k < 4; ++k)
+          sum += state.position[d][mesh_.cell_node[cell * 4 + k]];
+        return 0.25 * sum;
+      }
+
+      /// Of a face between two cells; 0 if its ends have met.
+      double
       area_over_distance(const State<2> &state, int axis, Index f) const
       {
         const auto  &faces = mesh_.faces[axis];
@@ -193,9 +201,10 @@ namespace whipple
         const double area   = mesh_.symmetry == Symmetry::planar
                                   ? length
                                   : std::numbers::pi * length * (state.position[0][p] + state.position[0][q]);
-        const double cross  = (centre_[0][b] - centre_[0][a]) * (state.position[1][q] - state.position[1][p]) -
-                             (centre_[1][b] - centre_[1][a]) * (state.position[0][q] - state.position[0][p]);
-        return area * length / std::abs(cross);
+        const double cross =
+            (centre(state, 0, b) - centre(state, 0, a)) * (state.position[1][q] - state.position[1][p]) -
+            (centre(state, 1, b) - centre(state, 1, a)) * (state.position[0][q] - state.position[0][p]);
+        return length > 0 ? area * length / std::abs(cross) : 0.;
       }
 
       /// A face with a hanging node: the middle of the large cell lies across the middle of the face, not across those
@@ -243,8 +252,7 @@ namespace whipple
       std::vector<double>                gained_;       ///< heat of the owned cells in this step, Mbar cm^3
       std::vector<double>                conductance_;  ///< of the faces of one axis, Mbar cm^3/(us K)
       std::vector<double>                difference_;   ///< of the temperatures across them, K
-      std::array<std::vector<double>, 2> heat_;   ///< through the faces of each axis, downwards along it, Mbar cm^3
-      std::array<std::vector<double>, 2> centre_; ///< cm
+      std::array<std::vector<double>, 2> heat_; ///< through the faces of each axis, downwards along it, Mbar cm^3
     };
 
     /// Diffusion length / cell from which heat leaves its cell.
@@ -275,7 +283,8 @@ namespace whipple
             .documentation =
                 "Explicit, between cells that share a face; fragments that share none keep their heat. In 20 "
                 "us heat diffuses 0.04 mm in aluminium, less than a cell of the shield case: off unless a "
-                "scene lasts long or has thin layers. It limits the time step to a share of h^2/4 over the "
+                "scene lasts long or has thin layers. It limits the time step to a share of h^2/4 on square cells over "
+                "the "
                 "diffusivity, far above what sound allows on cells of more than a micrometre.",
             .family     = "Conduction",
             .parameters = {{"Share of the stable step",

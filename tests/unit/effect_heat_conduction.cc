@@ -220,7 +220,51 @@ namespace
           .time_step(state)
           .dt;
     };
-    EXPECT_DOUBLE_EQ(step(1.), 1. / (4. * diffusivity)); // h = 1 cm
-    EXPECT_DOUBLE_EQ(step(0.25), 0.25 / (4. * diffusivity));
+    EXPECT_DOUBLE_EQ(step(1.), 1. / diffusivity); // h = 1 cm, one face of four
+    EXPECT_DOUBLE_EQ(step(0.25), 0.25 / diffusivity);
+  }
+
+  TEST(EffectHeatConductionCells, CornersThatMeetSetNoTimeStepAndNothingGrows)
+  {
+    // pairs of columns of trapezoids: every second node of a row stands at `near` from its neighbour
+    constexpr double            size = 0.1;
+    const Lattice<2>            grid{Symmetry::planar, {{0., 0.}}, size, {{8, 8}}, 0};
+    const FlatMesh<2>           mesh = build(grid, uniform_keys(grid));
+    const std::vector<Material> materials{conductor()};
+    for (const double near : {1e-2 * size, 1e-6 * size, 0.})
+      {
+        State<2> state = make_state(mesh, materials);
+        for (Index cell = 0; cell < mesh.n_cells; ++cell)
+          {
+            const Index *n  = &mesh.cell_node[cell * 4];
+            const int    ij = std::lround(mesh.lower[0][cell] / size) + std::lround(mesh.lower[1][cell] / size);
+            if (ij % 2 == 0 && mesh.lower[0][cell] > 0.5 * size) // its lower edge shrinks to `near`
+              state.position[0][n[0]] = mesh.lower[0][cell] + size - near;
+          }
+        double least = 1e300;
+        for (Index cell = 0; cell < mesh.n_cells; ++cell)
+          {
+            const Index *n = &mesh.cell_node[cell * 4];
+            const auto   x = [&](int k, int d) { return state.position[d][n[k]]; };
+            state.volume[cell] =
+                0.5 * std::abs((x(3, 0) - x(0, 0)) * (x(2, 1) - x(1, 1)) - (x(3, 1) - x(0, 1)) * (x(2, 0) - x(1, 0)));
+            fill(state, cell, 1., cell % 2 == 0 ? 200. : 400.);
+            least = std::min(least, state.volume[cell]);
+          }
+        ASSERT_GT(least, 0.4 * size * size);
+        const std::vector<FieldDescription> fields;
+        effect_case::LonePass               pass("heat conduction", mesh, materials, fields);
+        const StepWork<2>                   unused;
+        EXPECT_GT(pass.pass().time_step(state).dt, 0.5 * size * size / (8. * diffusivity)) << near;
+        for (int i = 0; i < 300; ++i)
+          {
+            pass.advance(state, Derived(), unused, pass.pass().time_step(state).dt);
+            for (Index cell = 0; cell < mesh.n_cells; ++cell)
+              {
+                EXPECT_GE(state.material[0].energy[cell], 200. - 1e-9);
+                EXPECT_LE(state.material[0].energy[cell], 400. + 1e-9);
+              }
+          }
+      }
   }
 } // namespace
