@@ -27,6 +27,21 @@ namespace whipple::closure
         result[m] = part[m].volume * ratio;
     }
 
+    /// Volume of a part after a change of pressure, V exp(-y) with y = change / K. Beyond y = 1 its modulus grows with
+    /// the pressure, as that of a gas at fixed energy: V / (e y). Convex, with a continuous slope.
+    struct Squeezed
+    {
+      double volume;
+      double slope; ///< d volume / d change
+    };
+
+    Squeezed
+    squeezed(const Part &part, double change)
+    {
+      const double y = change / part.modulus, v = part.volume * std::exp(-std::min(y, 1.));
+      return y <= 1. ? Squeezed{v, -v / part.modulus} : Squeezed{v / y, -v / (y * change)};
+    }
+
     /// Bring the sum of volumes to `target` by the same pressure change in all.
     void
     share_by_compressibility(std::span<const Part> part, double target, std::span<double> result)
@@ -37,26 +52,26 @@ namespace whipple::closure
       if (part.size() == 1 || !(softest > 0) || !(target > 0))
         return share_equally(part, target, result);
 
-      // Newton for sum V_m exp(-x / K_m) = target; the left side is convex and falls, so from the second
-      // iterate on x rises monotonically to the root
+      // Newton for the sum of squeezed volumes; it is convex and falls, so that x rises monotonically to a root above,
+      // and from the second iterate on also to one below
       double x = 0;
-      for (int iteration = 0; iteration < 50; ++iteration)
+      for (int iteration = 0; iteration < 100; ++iteration)
         {
           double sum = 0, slope = 0;
           for (const Part &p : part)
             {
-              const double v = p.volume * std::exp(-x / p.modulus);
-              sum += v;
-              slope -= v / p.modulus;
+              const Squeezed now = squeezed(p, x);
+              sum += now.volume;
+              slope += now.slope;
             }
           const double step = (target - sum) / slope;
-          x += std::clamp(step, -softest, softest);
+          x += std::max(step, -softest);
           if (std::abs(step) <= 1e-15 * softest || std::abs(sum - target) <= 1e-15 * target)
             break;
         }
       double sum = 0;
       for (std::size_t m = 0; m < part.size(); ++m)
-        sum += result[m] = part[m].volume * std::exp(-x / part[m].modulus);
+        sum += result[m] = squeezed(part[m], x).volume;
       for (double &v : result.first(part.size()))
         v *= target / sum;
     }

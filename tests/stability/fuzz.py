@@ -259,18 +259,18 @@ class Driver:
         if not outcome.failure:
             sys.exit(f"scene {number} of seed {self.options.seed} does not fail")
         kind = outcome.failure[0]
-        last = [outcome.failure]
+        kept = lambda scene, ranks, failure: self.keep(scene, ranks, failure, f"{self.options.seed}-{number}-reduced")
+        kept(scene, ranks, outcome.failure)
 
         def fails(candidate, candidate_ranks):
             result = self.run(candidate, candidate_ranks, compare=kind.startswith("depends"))
             if result.failure and likeness(result.failure) == likeness(outcome.failure):
-                last[0] = result.failure
+                kept(candidate, candidate_ranks, result.failure)
                 return True
             return False
 
-        scene, ranks = fuzz_reduce.reduce(scene, ranks, fails)
-        file = self.keep(scene, ranks, last[0], f"{self.options.seed}-{number}-reduced")
-        print(f"{kind}: {last[0][1]}\n{file}")
+        fuzz_reduce.reduce(scene, ranks, fails)
+        print(f"{kind}: {self.options.keep}/{self.options.seed}-{number}-reduced.prm")
 
 
 def likeness(failure):

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace
@@ -48,6 +49,24 @@ namespace
     EXPECT_DOUBLE_EQ(v[0] + v[1], next);
     // the same pressure change: K_m dV_m / V_m equal
     EXPECT_NEAR((v[0] / 0.25 - 1.) * 2., (v[1] / 0.75 - 1.) * 0.5, 1e-11);
+  }
+
+  TEST(HydroClosure, GasThatIsSqueezedFarBeyondItsModulusStiffens)
+  {
+    // the solid has to take most of the compression: x = K_s ln(V_s / V_s') is that of the gas, V_g / (e x / K_g)
+    constexpr double solid = 0.999, gas = 0.001, stiff = 1., soft = 2.5e-6;
+    const auto       v = share(1., 0.997, {{solid, stiff, 0.}, {gas, soft, 0.}});
+    EXPECT_DOUBLE_EQ(v[0] + v[1], 0.997);
+    const double x = stiff * std::log(solid / v[0]);
+    EXPECT_NEAR(x, 2.0e-3, 1e-5);
+    EXPECT_NEAR(v[1] / (gas * soft / (std::exp(1.) * x)), 1., 1e-9);
+    EXPECT_GT(v[1], 1e-4 * gas);
+    // around y = 1 the volume and its slope go through
+    const double below = share(2., 1. + std::exp(-0.999), {{1., 1e9, 0.}, {1., 1., 0.}})[1];
+    const double above = share(2., 1. + 1. / (std::exp(1.) * 1.001), {{1., 1e9, 0.}, {1., 1., 0.}})[1];
+    EXPECT_NEAR(below, std::exp(-0.999), 1e-8);
+    EXPECT_NEAR(above, 1. / (std::exp(1.) * 1.001), 1e-8);
+    EXPECT_NEAR((below - above) / 0.002, std::exp(-1.), 1e-3);
   }
 
   TEST(HydroClosure, NothingBecomesNegative)

@@ -52,7 +52,7 @@ namespace whipple::closure
   ///
   /// With open void, the materials take compressed_share() of a compression; expansion opens the void, but a material
   /// whose pressure is above `loose` expands with the cell. Without open void, all materials change their pressure by
-  /// the same amount: V_m -> V_m exp(-x / K_m).
+  /// the same amount: V_m -> V_m exp(-y), y = x / K_m, and V_m / (e y) where y > 1.
   /// @param part   materials with volume > 0
   /// @param result new volumes, same order; positive if new_cell_volume is
   void
