@@ -43,7 +43,7 @@ namespace whipple::checkpoint_file
       std::vector<Number> values;
       if (rows.local > 0)
         values = table.template read_hyperslab<std::vector<Number>>({rows.offset, 0}, {rows.local, size[1]});
-      else
+      else if (rows.global > 0)
         table.template read_none<Number>();
       const std::string sum =
           checksum::text(checksum::of_all_ranks(std::as_bytes(std::span<const Number>(values)), communicator));

@@ -48,7 +48,7 @@ namespace whipple::hdf5_table
     dealii::HDF5::DataSet table = group.create_dataset<Number>(name, global);
     if (rows.local > 0)
       table.write_hyperslab(values, offset, count);
-    else
+    else if (rows.global > 0) // a table without a row has no place in the file: HDF5 fails on several ranks
       table.template write_none<Number>();
     return table;
   }
