@@ -168,7 +168,7 @@ def fuzz_section():
             kinds[group].update(counts)
     lines += [f"* failed: {run['build']}, seed {run['seed']}, scene {failure['scene']}: {failure['what']}: {failure['detail']}"
               for run in entries for failure in run["failed"]]
-    lines += ["Reasons to stop (numbers and names as \\*):", "", "| scenes | reason |", "|---|---|"]
+    lines += ["", "Reasons to stop (numbers and names as \\*):", "", "| scenes | reason |", "|---|---|"]
     lines += [f"| {number} | {reason.replace('*', chr(92) + '*').replace('|', '/')} |" for reason, number in stopped.most_common()]
     lines += ["", "What the scenes tried, and how many of them:", "", "| | |", "|---|---|"]
     lines += [f"| {group} | {shares(counts)} |" for group, counts in sorted(kinds.items())]

@@ -318,7 +318,7 @@ def kinds(scene, ranks):
              ("levels", f"{scene['Mesh'].get('Levels', '0')} {scene['Mesh'].get('Refinement', '')}".strip()),
              ("stages", " - ".join(stage["Mode"] for stage in members(scene, "Stages")))}
     fastest = max(abs(v) for body in members(scene, "Bodies") for v in lengths(body.get("Velocity", "0")))
-    found.add(("fastest body", next((f"below {bound} km/s" for bound in (0.3, 1, 3, 10) if fastest < bound), "10 km/s and above")))
+    found.add(("fastest body", next((f"below {bound} km/s" for bound in (0.3, 1, 3, 10) if fastest < bound), "from 10 km/s")))
     for section, key, group in (("Materials", "Equation of state", "equation of state"), ("Materials", "Strength", "strength"),
                                 ("Materials", "Void law", "void law"), ("Materials", "Failure", "failure"),
                                 ("Stages", "Cohesion", "cohesion"), ("Stages", "Representation", "representation"), ("Bodies", "Shape", "shape")):
