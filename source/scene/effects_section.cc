@@ -111,10 +111,7 @@ namespace whipple::sections
                       "needs the effect '" + effect +
                           "' (Effects/List) and a model that it belongs to in a material; else a length is allowed");
     }
-  } // namespace
 
-  namespace
-  {
     /// Parameters of all effects; those of effects that are off must be right, too, but none must be given.
     template <int dim>
     void
