@@ -139,7 +139,7 @@ namespace whipple::checkpoint
     {
       const auto      columns = row_columns<dim>(layout);
       const StateRows rows    = to_rows(layout, state.view()->mesh, state.state());
-      const auto sums = checkpoint_file::write(path, *state.mesh(), columns, rows, state.state().time, communicator);
+      auto sums = checkpoint_file::write(path, *state.mesh(), columns, rows, state.state().time, communicator);
       checkpoint_file::read_mesh(path, communicator);
       checkpoint_file::read_rows(path, columns, rows.size(), communicator);
       return sums;
