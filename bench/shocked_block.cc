@@ -23,7 +23,7 @@ namespace whipple::bench
         {"heat conduction", "Conduction = constant conductivity"},
     };
 
-    Scene<2>
+    Problem<2>
     read(const std::string &mode, const std::vector<std::string> &effects)
     {
       std::string list;
@@ -33,7 +33,7 @@ namespace whipple::bench
       for (const auto &[effect, model] : models)
         if (has_effects({effect}))
           overrides.push_back(std::string("Materials/aluminium/") + model);
-      return read_scene<2>(WHIPPLE_BENCHMARK_SCENE, overrides);
+      return read_problem<2>(WHIPPLE_BENCHMARK_SCENE, overrides);
     }
   } // namespace
 
@@ -45,10 +45,10 @@ namespace whipple::bench
     });
   }
 
-  CycleRun::CycleRun(const Scene<2> &scene, const FieldLayout &layout, const FlatPartition<2> &view, State<2> state)
-    : scene_(scene)
+  CycleRun::CycleRun(const Problem<2> &problem, const FlatPartition<2> &view, State<2> state)
+    : scene_(problem.scene)
     , state_(std::move(state))
-    , cycle_(scene, scene.stages[0], layout, view.mesh, view.halo)
+    , cycle_(scene_, scene_.stages[0], problem.layout, view.mesh, view.halo)
   {
     cycle_.refresh(state_, derived_);
   }
@@ -65,15 +65,15 @@ namespace whipple::bench
   }
 
   ShockedBlock::ShockedBlock(const std::string &mode, const std::vector<std::string> &effects)
-    : scene_(read(mode, effects))
-    , layout_(scene_)
-    , domain_{Forest<2>(MPI_COMM_SELF, scene_.lattice), nullptr, {}}
+    : problem_(read(mode, effects))
+    , domain_{Forest<2>(MPI_COMM_SELF, problem_.scene.lattice), nullptr, {}}
   {
-    const Regridding<2> regridding(scene_, layout_);
+    const Stage        &stage = problem_.scene.stages[0];
+    const Regridding<2> regridding(problem_.scene, problem_.layout);
     Ledger<2>           ledger;
-    Handover<2>(scene_, layout_, regridding).enter(scene_.stages[0], nullptr, domain_, ledger);
-    CycleRun     run(scene_, layout_, *domain_.view, std::move(domain_.state));
-    const double end = scene_.stages[0].end->fixed_time().value();
+    Handover<2>(problem_, regridding).enter(stage, nullptr, domain_, ledger);
+    CycleRun     run(problem_, *domain_.view, std::move(domain_.state));
+    const double end = stage.end->fixed_time().value();
     while (run.state().time < end)
       run.step();
     domain_.state = run.state();
@@ -82,7 +82,7 @@ namespace whipple::bench
   CycleRun
   ShockedBlock::resume() const
   {
-    return CycleRun(scene_, layout_, *domain_.view, domain_.state);
+    return CycleRun(problem_, *domain_.view, domain_.state);
   }
 
   Index

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/problem/problem.h>
 #include <whipple/run/cycle.h>
 #include <whipple/run/domain.h>
 
@@ -14,7 +15,7 @@ namespace whipple::bench
   {
   public:
     /// All references must outlive the object.
-    CycleRun(const Scene<2> &scene, const FieldLayout &layout, const FlatPartition<2> &view, State<2> state);
+    CycleRun(const Problem<2> &problem, const FlatPartition<2> &view, State<2> state);
 
     /// @throws StateError as Cycle::advance()
     void
@@ -63,13 +64,12 @@ namespace whipple::bench
     std::size_t
     n_fields() const
     {
-      return layout_.fields.size();
+      return problem_.layout.fields.size();
     }
 
   private:
-    Scene<2>    scene_;
-    FieldLayout layout_;
-    Domain<2>   domain_;
+    Problem<2> problem_;
+    Domain<2>  domain_;
   };
 
   /// Whether the program has all of these effects: an effect of which the source is left out of a build registers

@@ -124,8 +124,8 @@ set(WHIPPLE_FLAT
     source/projection/intact_cells.cc
     source/projection/laid_transfer.cc
     source/projection/packages.cc
-    source/projection/polygon_clip.cc
     source/projection/representation.cc
+    source/mesh/polygon_clip.cc
     source/projection/spread_excess.cc
     source/projection/to_eulerian.cc
     source/projection/to_lagrangian.cc
@@ -210,7 +210,7 @@ set(WHIPPLE_DEALII
     source/output/step_table.cc
     source/output/summary.cc
     source/problem/field_layout.cc
-    source/refinement/level_need.cc
+    source/problem/level_need.cc
     source/run/bond_breaking.cc
     source/run/books_cbor.cc
     source/run/checkpoint.cc
@@ -237,37 +237,37 @@ set(WHIPPLE_DEALII
     source/run/state_rows.cc
     source/run/time_step_history.cc
     source/scene/automatic_stages.cc
-    source/scene/bodies_section.cc
+    source/problem/bodies_section.cc
     source/scene/check_bodies.cc
-    source/scene/check_inflow.cc
-    source/scene/check_void_laws.cc
-    source/scene/effect_forecast.cc
-    source/scene/effects_section.cc
-    source/scene/encounters.cc
-    source/scene/exact_section.cc
+    source/problem/check_inflow.cc
+    source/problem/check_void_laws.cc
+    source/problem/effect_forecast.cc
+    source/problem/effects_section.cc
+    source/problem/encounters.cc
+    source/problem/exact_section.cc
     source/scene/expression.cc
-    source/scene/expression_section.cc
-    source/scene/expression_state.cc
+    source/problem/expression_section.cc
+    source/problem/expression_state.cc
     source/scene/geometry_section.cc
-    source/scene/material_effects.cc
-    source/scene/materials_section.cc
+    source/problem/material_effects.cc
+    source/problem/materials_section.cc
     source/scene/mesh_section.cc
-    source/scene/model_constant.cc
+    source/problem/model_constant.cc
     source/scene/nearest_name.cc
     source/scene/numerics_section.cc
     source/scene/output_section.cc
     source/scene/parameters.cc
     source/scene/plausible.cc
     source/scene/prm_statements.cc
-    source/scene/read_scene.cc
-    source/scene/scene_warnings.cc
+    source/problem/read_problem.cc
+    source/problem/scene_warnings.cc
     source/scene/section.cc
     source/scene/shape_section.cc
-    source/scene/side_media.cc
+    source/problem/side_media.cc
     source/scene/stages_section.cc
     source/scene/study_section.cc
-    source/scene/warnings_of_cost.cc
-    source/scene/warnings_of_motion.cc
+    source/problem/warnings_of_cost.cc
+    source/problem/warnings_of_motion.cc
     source/study/analysis.cc
     source/study/cell_ladder.cc
     source/study/child_run.cc

@@ -69,12 +69,12 @@ namespace whipple
       }
 
       void
-      expect(const Scene<dim> &scene, std::map<std::string, ResultTable> &results) const override
+      expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
       {
         const std::optional<double> inline_velocity =
-            FieldLayout(scene).bodies_separable ? std::optional<double>(0.) : std::nullopt;
-        for (const Stage &stage : scene.stages)
-          if (stage.mode == StageMode::lagrangian)
+            problem.layout.bodies_separable ? std::optional<double>(0.) : std::nullopt;
+        for (const Stage &stage : problem.scene.stages)
+          if (stage.mode() == StageMode::lagrangian)
             for (const char *prefix : {handover_prefix, ""})
               results[stage.name].merge(debris_results({}, inline_velocity, 0., prefix));
       }
@@ -84,10 +84,12 @@ namespace whipple
       measure(const MeasureView<dim> &view, const std::string &prefix, MeasureReport &report)
       {
         const Stage &stage = view.scene.stages[view.stage];
-        if (stage.mode != StageMode::lagrangian)
+        if (stage.mode() != StageMode::lagrangian)
           return;
-        const double origin = stage.debris.behind ? extent(view.scene.bodies[*stage.debris.behind].shape).upper[1] : 0.;
-        const DebrisMeasure m = measure_debris<dim>(
+        const double        origin = stage.lagrangian->debris.behind
+                                         ? extent(view.scene.bodies[*stage.lagrangian->debris.behind].shape).upper[1]
+                                         : 0.;
+        const DebrisMeasure m      = measure_debris<dim>(
             view.mesh, view.state, [](Index) { return true; }, origin, view.communicator);
         report.results[stage.name].merge(debris_results(m, projectile_velocity(view), view.state.time, prefix));
       }

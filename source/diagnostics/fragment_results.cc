@@ -26,10 +26,10 @@ namespace whipple
       }
 
       void
-      expect(const Scene<dim> &scene, std::map<std::string, ResultTable> &results) const override
+      expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
       {
-        if (scene.has_effect("fragment size"))
-          for (const Stage &stage : scene.stages)
+        if (problem.scene.has_effect("fragment size"))
+          for (const Stage &stage : problem.scene.stages)
             results[stage.name].merge(fragment_results(0.));
       }
     };

@@ -60,7 +60,7 @@ namespace whipple
   find_surface(const MeasureView<dim> &view, std::size_t body, bool rear)
   {
     const FlatMesh<dim> &mesh   = view.mesh;
-    const bool           moving = view.scene.stages[view.stage].mode == StageMode::lagrangian;
+    const bool           moving = view.scene.stages[view.stage].mode() == StageMode::lagrangian;
     SurfacePoint<dim>    outermost;
     for (Index c = 0; c < mesh.n_owned; ++c)
       {

@@ -179,7 +179,7 @@ namespace whipple
       static bool
       is_moving(const MeasureView<dim> &view)
       {
-        return view.scene.stages[view.stage].mode == StageMode::lagrangian;
+        return view.scene.stages[view.stage].mode() == StageMode::lagrangian;
       }
 
       std::vector<GaugeMemory<dim>>

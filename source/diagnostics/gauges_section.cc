@@ -2,7 +2,7 @@
 // The section Gauges of a scene.
 #include <whipple/diagnostics/gauge.h>
 #include <whipple/diagnostics/phase_measure.h>
-#include <whipple/scene/extra_section.h>
+#include <whipple/problem/extra_section.h>
 #include <whipple/scene/nearest_name.h>
 
 #include <algorithm>
@@ -105,13 +105,14 @@ namespace whipple
 
     template <int dim>
     std::shared_ptr<const SectionContent>
-    read(SceneParameters &parameters, const Scene<dim> &scene)
+    read(SceneParameters &parameters, const Problem<dim> &problem)
     {
+      const Scene<dim>              &scene = problem.scene;
       const std::string              path  = Gauges<dim>::section;
       const std::vector<std::string> names = SceneSection(parameters, path).list("List");
       if (names.empty())
         return nullptr;
-      const FieldLayout        layout(scene);
+      const FieldLayout       &layout = problem.layout;
       std::vector<std::string> known{velocity_field};
       for (const CellField &field : known_gauge_fields<dim>(layout))
         known.push_back(field.name);

@@ -5,15 +5,15 @@ namespace whipple
 {
   template <int dim>
   std::map<std::string, ResultTable>
-  expected_results(const Scene<dim> &scene)
+  expected_results(const Problem<dim> &problem)
   {
     std::map<std::string, ResultTable> results;
     for (const auto &[key, entry] : MeasureRegistry<dim>::all())
       if (entry.measure)
-        entry.measure->expect(scene, results);
+        entry.measure->expect(problem, results);
     return results;
   }
 
   template std::map<std::string, ResultTable>
-  expected_results(const Scene<2> &);
+  expected_results(const Problem<2> &);
 } // namespace whipple

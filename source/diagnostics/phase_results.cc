@@ -29,10 +29,10 @@ namespace whipple
       }
 
       void
-      expect(const Scene<dim> &scene, std::map<std::string, ResultTable> &results) const override
+      expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
       {
-        if (scene.has_effect("melting"))
-          for (const Stage &stage : scene.stages)
+        if (problem.scene.has_effect("melting"))
+          for (const Stage &stage : problem.scene.stages)
             results[stage.name].merge(phase_results({}));
       }
     };

@@ -4,8 +4,8 @@
 #include <whipple/diagnostics/plate_measure.h>
 #include <whipple/error.h>
 #include <whipple/mesh/gather.h>
+#include <whipple/problem/material_effects.h>
 #include <whipple/scene/body_volume.h>
-#include <whipple/scene/material_effects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,9 +75,8 @@ namespace whipple
   {
     const Lattice<dim>  &lattice = scene.lattice;
     const MaterialState &m       = state.material[layout.body_material[body]];
-    const double         solid =
-        1. - sections::initial_void_fraction(scene.materials[scene.bodies[body].material].model); // on entry
-    const bool             turned = is_turned(scene);
+    const double solid = 1. - sections::initial_void_fraction(layout.materials[layout.body_material[body]]); // on entry
+    const bool   turned = is_turned(scene);
     std::vector<PlateCell> cells;
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
@@ -128,7 +127,7 @@ namespace whipple
   measured_plates(const Scene<dim> &scene, std::size_t stage)
   {
     std::vector<std::size_t> plates;
-    for (std::size_t s = stage + 1; s-- > 0 && scene.stages[s].mode == StageMode::eulerian;)
+    for (std::size_t s = stage + 1; s-- > 0 && scene.stages[s].mode() == StageMode::eulerian;)
       for (const std::size_t body : scene.stages[s].introduces)
         if (scene.bodies[body].shape.template as<Plate<dim>>())
           plates.push_back(body);

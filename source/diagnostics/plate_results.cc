@@ -49,8 +49,9 @@ namespace whipple
       }
 
       void
-      expect(const Scene<dim> &scene, std::map<std::string, ResultTable> &results) const override
+      expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
       {
+        const Scene<dim> &scene = problem.scene;
         for (std::size_t s = 0; s < scene.stages.size(); ++s)
           for (const std::size_t plate : measured_plates(scene, s))
             results[scene.bodies[plate].name].merge(plate_results(PlateMeasure{}, 0.));

@@ -113,24 +113,26 @@ namespace whipple
 
   template <>
   std::optional<ShockMeasure>
-  measure_shock(const Scene<2> &scene, const FlatMesh<2> &mesh, const State<2> &state, MPI_Comm communicator)
+  measure_shock(const Problem<2> &problem, const FlatMesh<2> &mesh, const State<2> &state, MPI_Comm communicator)
   {
-    const auto shock = scene.exact->shock_position(state.time);
-    if (!shock || !scene.exact->profile_coordinate(scene.lattice.origin))
+    const Scene<2>                &scene    = problem.scene;
+    const exact::ExactSolution<2> &solution = *problem.exact;
+    const auto                     shock    = solution.shock_position(state.time);
+    if (!shock || !solution.profile_coordinate(scene.lattice.origin))
       return std::nullopt;
     const double        beside = 1e-6 * scene.lattice.spacing;
     ShockMeasure        measure{*shock, {}, {}};
     std::vector<double> found;
     const Box<2>        domain = scene.mapped_box({scene.lattice.origin, scene.upper_corner()});
-    for (const Ray &ray : make_rays(*scene.exact, domain.lower, domain.upper))
+    for (const Ray &ray : make_rays(solution, domain.lower, domain.upper))
       {
-        const double level = half_way_density(*scene.exact, ray, *shock, beside, state.time);
+        const double level = half_way_density(solution, ray, *shock, beside, state.time);
         if (std::isnan(level))
           return std::nullopt;
         std::vector<Sample> own;
         for (Index c = 0; c < mesh.n_owned; ++c)
           if (const geometry::Quad x = cell_corners(mesh, state, c); meets(ray, x))
-            own.push_back({*scene.exact->profile_coordinate(cell_middle(x)), cell_mass(state, c) / state.volume[c]});
+            own.push_back({*solution.profile_coordinate(cell_middle(x)), cell_mass(state, c) / state.volume[c]});
         if (const auto x = nearest_crossing(samples_of_all_ranks(own, communicator), level, *shock))
           found.push_back(*x);
       }

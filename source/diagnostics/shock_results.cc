@@ -26,16 +26,16 @@ namespace whipple
       void
       run_ends(const MeasureView<dim> &view, MeasureReport &report) const override
       {
-        if (!view.scene.exact)
+        if (!view.problem.exact)
           return;
-        if (const auto shock = measure_shock<dim>(view.scene, view.mesh, view.state, view.communicator))
+        if (const auto shock = measure_shock<dim>(view.problem, view.mesh, view.state, view.communicator))
           report.results[exact_place] = shock_results(*shock);
       }
 
       void
-      expect(const Scene<dim> &scene, std::map<std::string, ResultTable> &results) const override
+      expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
       {
-        if (scene.exact && scene.exact->shock_position(0.))
+        if (problem.exact && problem.exact->shock_position(0.))
           results[exact_place] = shock_results({});
       }
     };

@@ -44,10 +44,10 @@ namespace whipple
   }
 
   template <int dim>
-  ExactFilling<dim>::ExactFilling(const exact::ExactSolution<dim> &solution, const Scene<dim> &scene,
+  ExactFilling<dim>::ExactFilling(const exact::ExactSolution<dim> &solution, const FieldLayout &layout,
                                   const FlatMesh<dim> &mesh, const State<dim> &state)
     : solution_(solution)
-    , scene_(scene)
+    , layout_(layout)
     , mesh_(mesh)
     , node_velocity_(mesh.n_nodes)
   {
@@ -75,7 +75,7 @@ namespace whipple
     if (points.empty() && body.density > 0)
       filling = {body.density, body.energy, {}}; // a sliver between all points: its state does not matter
     if (std::isnan(filling.energy) && !std::isnan(means.pressure))
-      filling.energy = scene_.materials[body.material].model.eos->energy_of_pressure(filling.density, means.pressure);
+      filling.energy = layout_.materials[body.material].eos->energy_of_pressure(filling.density, means.pressure);
     if (!(filling.density > 0) || std::isnan(filling.energy) || (!points.empty() && !is_given<dim>(means.velocity)))
       {
         std::ostringstream text;

@@ -4,9 +4,9 @@
 #include <whipple/initial/painted_bodies.h>
 #include <whipple/initial/painting.h>
 #include <whipple/mesh/collective.h>
+#include <whipple/problem/material_effects.h>
 #include <whipple/scene/body_volume.h>
 #include <whipple/scene/box_shape.h>
-#include <whipple/scene/material_effects.h>
 #include <whipple/state/round_off_share.h>
 
 #include <algorithm>
@@ -40,14 +40,6 @@ namespace whipple
       return x;
     }
 
-    /// The solution that a body starts from; null if it is uniform.
-    template <int dim>
-    const exact::ExactSolution<dim> *
-    initial_solution(const Scene<dim> &scene, const Body<dim> &body)
-    {
-      return body.is_uniform() ? nullptr : body.field ? body.field.get() : scene.exact.get();
-    }
-
     /// A solution that fills bodies, and the cells that hold nothing else.
     template <int dim>
     struct SolutionFilling
@@ -60,15 +52,15 @@ namespace whipple
     /// One for each solution that bodies start from.
     template <int dim>
     std::vector<SolutionFilling<dim>>
-    solution_fillings(const Scene<dim> &scene, std::span<const std::size_t> bodies, const FlatMesh<dim> &mesh,
+    solution_fillings(const Problem<dim> &problem, std::span<const std::size_t> bodies, const FlatMesh<dim> &mesh,
                       const State<dim> &state)
     {
       std::vector<SolutionFilling<dim>> all;
       for (const std::size_t b : bodies)
-        if (const auto *solution = initial_solution(scene, scene.bodies[b]);
+        if (const auto *solution = problem.initial_solution(b);
             solution && std::none_of(all.begin(), all.end(), [&](const auto &f) { return f.solution == solution; }))
-          all.push_back(
-              {solution, ExactFilling<dim>(*solution, scene, mesh, state), std::vector<std::uint8_t>(mesh.n_cells, 0)});
+          all.push_back({solution, ExactFilling<dim>(*solution, problem.layout, mesh, state),
+                         std::vector<std::uint8_t>(mesh.n_cells, 0)});
       return all;
     }
 
@@ -242,9 +234,11 @@ namespace whipple
 
   template <int dim>
   Booking<dim>
-  paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
-               const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state)
+  paint_bodies(const Problem<dim> &problem, std::span<const std::size_t> bodies, const FlatMesh<dim> &mesh,
+               MPI_Comm communicator, State<dim> &state)
   {
+    const Scene<dim>     &scene      = problem.scene;
+    const FieldLayout    &layout     = problem.layout;
     CornerVelocities<dim> velocities = corner_velocities(mesh, state);
     PaintedBodies<dim>    books(scene, bodies);
     std::vector<Box<dim>> boxes;
@@ -252,7 +246,7 @@ namespace whipple
       boxes.push_back(extent(scene.bodies[b].shape));
     std::vector<SolutionFilling<dim>> fillings;
     agree(communicator, [&] {
-      fillings = solution_fillings(scene, bodies, mesh, state);
+      fillings = solution_fillings(problem, bodies, mesh, state);
       for (Index c = 0; c < mesh.n_cells; ++c)
         for (std::size_t i = 0; i < bodies.size(); ++i)
           {
@@ -264,11 +258,11 @@ namespace whipple
             if (volume <= 0)
               continue;
             const auto             own     = std::find_if(fillings.begin(), fillings.end(),
-                                                          [&](const auto &f) { return f.solution == initial_solution(scene, body); });
+                                                          [&](const auto &f) { return f.solution == problem.initial_solution(b); });
             const bool             uniform = own == fillings.end();
             const CellFilling<dim> filling = uniform ? uniform_filling(body) : own->filling.fill(body, state, c);
             const double           before  = cell_mass(state, c);
-            const double           pores   = sections::initial_void_fraction(scene.materials[body.material].model);
+            const double           pores   = sections::initial_void_fraction(layout.materials[body.material]);
             const double           added =
                 paint_cell(filling, pores, layout.body_tag[b], volume, c, state.material[layout.body_material[b]]);
             blend_velocity<dim>(filling, before, added, c, state, velocities);
@@ -288,6 +282,5 @@ namespace whipple
   template void
   request_bodies(const Scene<2> &, const LevelNeed<2> *, std::span<const std::size_t>, RefinementMap<2> &);
   template Booking<2>
-  paint_bodies(const Scene<2> &, const FieldLayout &, std::span<const std::size_t>, const FlatMesh<2> &, MPI_Comm,
-               State<2> &);
+  paint_bodies(const Problem<2> &, std::span<const std::size_t>, const FlatMesh<2> &, MPI_Comm, State<2> &);
 } // namespace whipple

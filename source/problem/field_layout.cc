@@ -10,9 +10,9 @@ namespace whipple
     /// Bulk density up to which a material is a trace: a small share of the least at which it is normally there.
     template <int dim>
     double
-    trace_density(const Scene<dim> &scene, std::size_t material)
+    trace_density(const Scene<dim> &scene, const Material &model, std::size_t material)
     {
-      double least = scene.materials[material].model.eos->reference_density();
+      double least = model.eos->reference_density();
       for (const Body<dim> &body : scene.bodies)
         if (body.material == material && body.density > 0)
           least = std::min(least, body.density);
@@ -39,13 +39,12 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  FieldLayout::FieldLayout(const Scene<dim> &scene)
+  FieldLayout::FieldLayout(const Scene<dim> &scene, const std::vector<MaterialModels> &models)
   {
+    for (const MaterialModels &material : models)
+      materials.push_back(material.model);
     for (const SceneMaterial &material : scene.materials)
-      {
-        materials.push_back(material.model);
-        material_names.push_back(material.name);
-      }
+      material_names.push_back(material.name);
     for (const EffectDescription &effect : effect_descriptions())
       if (scene.has_effect(effect.name))
         fields.insert(fields.end(), effect.fields.begin(), effect.fields.end());
@@ -56,7 +55,7 @@ namespace whipple
     index.damage         = field_index(fields, "damage");
 
     for (std::size_t m = 0; m < materials.size(); ++m)
-      materials[m].trace_density = trace_density(scene, m);
+      materials[m].trace_density = trace_density(scene, materials[m], m);
 
     std::vector<int> bodies_of_material(materials.size(), 0);
     for (const Body<dim> &body : scene.bodies)
@@ -123,7 +122,7 @@ namespace whipple
     return arrays_of<const std::vector<double>>(state);
   }
 
-  template FieldLayout::FieldLayout(const Scene<2> &);
+  template FieldLayout::FieldLayout(const Scene<2> &, const std::vector<MaterialModels> &);
   template State<2>
   FieldLayout::allocate(const FlatMesh<2> &) const;
   template std::vector<std::vector<double> *>

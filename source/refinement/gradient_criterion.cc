@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/scene/refinement_criterion.h>
+#include <whipple/refinement/refinement_criterion.h>
 
 #include <cmath>
 

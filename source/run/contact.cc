@@ -4,6 +4,7 @@
 #include <whipple/run/contact.h>
 #include <whipple/run/contact_search.h>
 #include <whipple/state/momentum_restore.h>
+#include <whipple/state/velocity_gather.h>
 
 #include <algorithm>
 #include <cmath>

@@ -43,11 +43,11 @@ namespace whipple
     , mesh_(mesh)
     , halo_(halo)
     , lost_kinetic_energy_(stage.lost_kinetic_energy)
-    , rubble_void_(stage.mode == StageMode::lagrangian ? stage.breaking.void_fraction : 1.)
+    , rubble_void_(stage.lagrangian ? stage.lagrangian->breaking.void_fraction : 1.)
     , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
   {
     effects_ = make_passes<dim>(scene.effects, mesh, layout.materials, layout.fields, scene.effect_parameters);
-    if (stage.mode == StageMode::eulerian)
+    if (stage.mode() == StageMode::eulerian)
       remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage, layout.materials));
   }
 

@@ -8,6 +8,7 @@
 #include <whipple/mesh/geometry.h>
 #include <whipple/projection/debris_selection.h>
 #include <whipple/projection/element.h>
+#include <whipple/projection/intact_cells.h>
 #include <whipple/projection/to_eulerian.h>
 #include <whipple/projection/to_lagrangian.h>
 #include <whipple/run/handover.h>
@@ -62,7 +63,7 @@ namespace whipple
     /// How the elements hold together that the cells become: bonds of the forest's leaves.
     template <int dim>
     Bonds
-    element_bonds(const Stage &stage, const Domain<dim> &domain)
+    element_bonds(const LagrangianStage &stage, const Domain<dim> &domain)
     {
       if (stage.cohesion != Cohesion::graded)
         return stage.cohesion;
@@ -76,7 +77,7 @@ namespace whipple
     /// Layers of neighbours that elements need: fragments have no neighbours.
     template <int dim>
     int
-    element_halo(const Stage &stage)
+    element_halo(const LagrangianStage &stage)
     {
       return stage.cohesion == Cohesion::fragments ? 0 : halo_width<dim>;
     }
@@ -130,9 +131,10 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  Handover<dim>::Handover(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding)
-    : scene_(scene)
-    , layout_(layout)
+  Handover<dim>::Handover(const Problem<dim> &problem, const Regridding<dim> &regridding)
+    : problem_(problem)
+    , scene_(problem.scene)
+    , layout_(problem.layout)
     , regridding_(regridding)
   {
   }
@@ -143,15 +145,15 @@ namespace whipple
   {
     if (!previous)
       start(stage, domain, ledger);
-    else if (previous->mode == StageMode::lagrangian)
+    else if (previous->mode() == StageMode::lagrangian)
       lay_down(stage, 0., domain, ledger);
     else if (!stage.introduces.empty())
       {
         ledger.enter(Regridding<dim>::cause, regridding_.regrid(domain, stage.lost_kinetic_energy, stage.introduces));
         paint(stage, domain, ledger);
       }
-    if (stage.mode == StageMode::lagrangian)
-      take_up(stage, previous && previous->mode == StageMode::eulerian, domain, ledger);
+    if (stage.mode() == StageMode::lagrangian)
+      take_up(stage, previous && previous->mode() == StageMode::eulerian, domain, ledger);
   }
 
   template <int dim>
@@ -178,7 +180,7 @@ namespace whipple
   Handover<dim>::start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
     RefinementMap<dim> map(scene_.lattice);
-    request_bodies(scene_, stage.mode == StageMode::eulerian ? &regridding_.need() : nullptr,
+    request_bodies(scene_, stage.mode() == StageMode::eulerian ? &regridding_.need() : nullptr,
                    std::span<const std::size_t>(stage.introduces), map);
     map.synchronise(domain.communicator());
     regridding_.build(domain, map);
@@ -195,7 +197,7 @@ namespace whipple
     const ConservedTotals<dim>         before = totals(mesh, domain.state, domain.communicator());
     const std::span<const std::size_t> bodies(stage.introduces);
     const Booking<dim>                 painted = sum_over_ranks(
-                        paint_bodies(scene_, layout_, bodies, mesh, domain.communicator(), domain.state), domain.communicator());
+                        paint_bodies(problem_, bodies, mesh, domain.communicator(), domain.state), domain.communicator());
     ConservedTotals<dim> entered = totals(mesh, domain.state, domain.communicator());
     entered.mass -= before.mass;
     entered.internal_energy -= before.internal_energy;
@@ -278,10 +280,10 @@ namespace whipple
     criteria.void_cutoff = 1.;
     if (select)
       {
-        criteria.void_cutoff    = stage.debris.void_cutoff;
-        criteria.least_velocity = stage.debris.minimum_axial_velocity;
-        if (stage.debris.behind)
-          criteria.plane = extent(scene_.bodies[*stage.debris.behind].shape).upper[1];
+        criteria.void_cutoff    = stage.lagrangian->debris.void_cutoff;
+        criteria.least_velocity = stage.lagrangian->debris.minimum_axial_velocity;
+        if (stage.lagrangian->debris.behind)
+          criteria.plane = extent(scene_.bodies[*stage.lagrangian->debris.behind].shape).upper[1];
       }
     // an element made of a trace would be nothing but void, phi = 1
     criteria.void_cutoff                 = std::min(criteria.void_cutoff, 1. - trace::share);
@@ -296,7 +298,8 @@ namespace whipple
     std::vector<std::uint8_t> active(domain.forest.leaves().size(), 0);
     for (Index c = 0; c < cells.n_owned; ++c)
       active[domain.view->leaf_of_cell[c]] = selection.kept(c);
-    auto view = domain.forest.flatten(active, element_halo<dim>(stage), element_bonds(stage, domain));
+    auto view =
+        domain.forest.flatten(active, element_halo<dim>(*stage.lagrangian), element_bonds(*stage.lagrangian, domain));
 
     TakenUp<dim> taken_up;
     State<dim>   state;
@@ -348,7 +351,7 @@ namespace whipple
           intact[i] = packets[i].back() != 0;
           packets[i].pop_back();
         }
-    domain.view = domain.forest.flatten(active, element_halo<dim>(stage), Bonds(std::move(intact)));
+    domain.view = domain.forest.flatten(active, element_halo<dim>(*stage.lagrangian), Bonds(std::move(intact)));
     clear_state(layout_, domain);
     ledger.enter(laid_down::projection,
                  unpack_leaves(layout_, layout, packets, scene_.boundaries, stage.lost_kinetic_energy, domain));

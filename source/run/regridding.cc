@@ -28,7 +28,7 @@ namespace whipple
   Regridding<dim>::Regridding(const Scene<dim> &scene, const FieldLayout &layout)
     : scene_(scene)
     , layout_(layout)
-    , need_(scene)
+    , need_(scene, layout)
   {
   }
 

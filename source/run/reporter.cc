@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/phase_measure.h>
 #include <whipple/output/first_rank.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/scene_warnings.h>
 #include <whipple/run/reporter.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/scene_warnings.h>
 #include <whipple/state/conversion.h>
 
 #include <algorithm>
@@ -53,22 +53,24 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  Reporter<dim>::Reporter(const Scene<dim> &scene, const FieldLayout &layout, const std::string &directory, bool live,
-                          MPI_Comm communicator, const RunBooks<dim> *resumed)
-    : scene_(scene)
-    , layout_(layout)
+  Reporter<dim>::Reporter(const Problem<dim> &problem, const std::string &directory, bool live, MPI_Comm communicator,
+                          const RunBooks<dim> *resumed)
+    : problem_(problem)
+    , scene_(problem.scene)
+    , layout_(problem.layout)
     , directory_(directory)
     , log_(directory, communicator, live, resumed ? RunLog::Earlier::kept : RunLog::Earlier::replaced)
     , statistics_(directory + "/statistics.csv", communicator, resumed ? resumed->report.statistics_bytes : 0)
-    , fields_(directory, layout.material_names, FieldOutputOptions{.hdf5 = scene.output.hdf5, .vtu = scene.output.vtu},
-              communicator, [&layout](const State<dim> &state, const std::vector<Index> &cells) {
+    , fields_(directory, layout_.material_names,
+              FieldOutputOptions{.hdf5 = scene_.output.hdf5, .vtu = scene_.output.vtu}, communicator,
+              [&layout = layout_](const State<dim> &state, const std::vector<Index> &cells) {
                 return phase_fields(layout, state, cells);
               })
   {
     begin_watches(communicator, resumed);
     log_.banner();
-    if (!scene.title.empty())
-      log_.info(scene.title);
+    if (!scene_.title.empty())
+      log_.info(scene_.title);
     if (resumed)
       {
         log_.count_from(resumed->summary.counts.warnings);
@@ -76,9 +78,9 @@ namespace whipple
         return;
       }
     log_.info("effects (what, whether, number, why):");
-    for (const EffectVerdict &verdict : scene.effect_verdicts)
+    for (const EffectVerdict &verdict : scene_.effect_verdicts)
       log_.info(effect_line(verdict));
-    for (const std::string &line : scene_warnings(scene))
+    for (const std::string &line : scene_warnings(problem_))
       log_.warning(line);
   }
 
@@ -117,8 +119,8 @@ namespace whipple
     const Domain<dim> &domain = run.domain;
     for (const Watching &w : watching_)
       {
-        const MeasureView<dim> view{scene_,       layout_,        run.books.stage,      domain.view->mesh,
-                                    domain.state, domain.derived, domain.communicator()};
+        const MeasureView<dim> view{problem_,     run.books.stage, domain.view->mesh,
+                                    domain.state, domain.derived,  domain.communicator()};
         call(*w.watch, view, run.books.watches[w.name], [&w](std::size_t table, const std::vector<double> &row) {
           std::vector<TableEntry> entries;
           for (std::size_t i = 0; i < row.size(); ++i)
@@ -162,7 +164,7 @@ namespace whipple
   {
     const double time = run.domain.state.time;
     log_.info(format("stage %zu: %s (%s) from %.6g us", run.books.stage + 1, stage.name.c_str(),
-                     stage.mode == StageMode::eulerian ? "eulerian" : "lagrangian", time));
+                     stage.mode() == StageMode::eulerian ? "eulerian" : "lagrangian", time));
     write_fields(stage, run);
     if (scene_.output.fields_interval)
       run.books.report.next_fields = time + *scene_.output.fields_interval;

@@ -74,16 +74,16 @@ namespace whipple
 
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  start(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator)
+  start(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
   {
     prepare_output_directory(place.directory, communicator);
-    write_parameters(scene, place.directory, communicator);
-    return std::make_unique<Simulation<dim>>(scene, place, communicator);
+    write_parameters(problem.scene, place.directory, communicator);
+    return std::make_unique<Simulation<dim>>(problem, place, communicator);
   }
 
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  go_on(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator)
+  go_on(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
   {
     const auto found = CheckpointStore<dim>::newest(place.directory, communicator);
     if (!found.header && !found.refused.empty())
@@ -93,15 +93,15 @@ namespace whipple
         // an interrupted run has one; before its first a run leaves no summary
         if (std::filesystem::exists(place.directory + "/summary.json"))
           throw InputError(place.directory + ": has no checkpoint, and its run is over");
-        write_parameters(scene, place.directory, communicator);
-        auto simulation = std::make_unique<Simulation<dim>>(scene, place, communicator);
+        write_parameters(problem.scene, place.directory, communicator);
+        auto simulation = std::make_unique<Simulation<dim>>(problem, place, communicator);
         simulation->log().info("there was no checkpoint yet: the run begins anew");
         return simulation;
       }
-    require_same_scene(scene, place.directory, *found.header);
-    write_parameters(scene, place.directory, communicator);
+    require_same_scene(problem.scene, place.directory, *found.header);
+    write_parameters(problem.scene, place.directory, communicator);
     auto simulation =
-        std::make_unique<Simulation<dim>>(scene, place, found.directory, found.header->books, communicator);
+        std::make_unique<Simulation<dim>>(problem, place, found.directory, found.header->books, communicator);
     for (const std::string &reason : found.refused)
       simulation->log().info("an older checkpoint is used: " + reason);
     return simulation;
@@ -110,7 +110,7 @@ namespace whipple
   template bool
   may_change(const std::string &, const Scene<2> &, std::size_t);
   template std::unique_ptr<Simulation<2>>
-  start(const Scene<2> &, const RunPlace &, MPI_Comm);
+  start(const Problem<2> &, const RunPlace &, MPI_Comm);
   template std::unique_ptr<Simulation<2>>
-  go_on(const Scene<2> &, const RunPlace &, MPI_Comm);
+  go_on(const Problem<2> &, const RunPlace &, MPI_Comm);
 } // namespace whipple

@@ -80,15 +80,16 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene, const RunPlace &place, const RunBooks<dim> *books,
+  Simulation<dim>::Simulation(const Problem<dim> &problem, const RunPlace &place, const RunBooks<dim> *books,
                               MPI_Comm communicator)
-    : scene_(scene)
-    , layout_(scene_)
+    : problem_(problem)
+    , scene_(problem_.scene)
+    , layout_(problem_.layout)
     , directory_(place.directory)
     , regridding_(scene_, layout_)
-    , handover_(scene_, layout_, regridding_)
+    , handover_(problem_, regridding_)
     , state_{{Forest<dim>(communicator, scene_.lattice), nullptr, {}}, books ? *books : RunBooks<dim>{}}
-    , reporter_(scene_, layout_, directory_, place.live, communicator, books)
+    , reporter_(problem_, directory_, place.live, communicator, books)
     , clock_(state_.books.summary.performance, communicator)
     , checkpointing_(scene_, layout_, directory_, place.wall_start, clock_, communicator)
   {
@@ -100,16 +101,16 @@ namespace whipple
   }
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator)
-    : Simulation(scene, place, nullptr, communicator)
+  Simulation<dim>::Simulation(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
+    : Simulation(problem, place, nullptr, communicator)
   {
     last_good_.keep_books(state_.books);
   }
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene, const RunPlace &place, const std::string &checkpoint,
+  Simulation<dim>::Simulation(const Problem<dim> &problem, const RunPlace &place, const std::string &checkpoint,
                               const RunBooks<dim> &books, MPI_Comm communicator)
-    : Simulation(scene, place, &books, communicator)
+    : Simulation(problem, place, &books, communicator)
   {
     checkpoint::read_fields(checkpoint, layout_, state_);
     evaluate(scene_, layout_, state_.domain);
@@ -122,13 +123,9 @@ namespace whipple
   Simulation<dim>::measure(Look look)
   {
     const Domain<dim>     &domain = state_.domain;
-    const MeasureView<dim> view{scene_,
-                                layout_,
-                                std::min(state_.books.stage, scene_.stages.size() - 1),
-                                domain.view->mesh,
-                                domain.state,
-                                domain.derived,
-                                domain.communicator()};
+    const MeasureView<dim> view{problem_,          std::min(state_.books.stage, scene_.stages.size() - 1),
+                                domain.view->mesh, domain.state,
+                                domain.derived,    domain.communicator()};
     MeasureReport          report{state_.books.summary.results,
                          [this](const std::string &line) { reporter_.log().warning(line); }};
     for (const auto &[key, entry] : MeasureRegistry<dim>::all())
@@ -199,7 +196,7 @@ namespace whipple
   Simulation<dim>::measure_errors()
   {
     const FlatMesh<dim> &mesh   = state_.domain.view->mesh;
-    state_.books.summary.errors = exact_errors<dim>(*scene_.exact, mesh, state_.domain.state, state_.domain.derived,
+    state_.books.summary.errors = exact_errors<dim>(*problem_.exact, mesh, state_.domain.state, state_.domain.derived,
                                                     state_.domain.communicator());
   }
 
@@ -265,7 +262,7 @@ namespace whipple
       {
         while (state_.books.stage < scene_.stages.size())
           run_stage();
-        if (scene_.exact)
+        if (problem_.exact)
           measure_errors();
         measure(&Measure<dim>::run_ends);
       }

@@ -40,7 +40,7 @@ namespace whipple
   {
     Domain<dim>   &domain   = run_.domain;
     StageProgress &progress = run_.books.progress;
-    if (stage_.mode != StageMode::lagrangian || stage_.cohesion != Cohesion::fragments || !holds_pieces())
+    if (!stage_.lagrangian || stage_.lagrangian->cohesion != Cohesion::fragments || !holds_pieces())
       return false;
     const double dt = flight_time(left);
     if (!(progress.last_time_step > 0) || (dt < worthwhile_steps * progress.last_time_step && dt < left))

@@ -180,7 +180,7 @@ namespace whipple
     Ledger<dim> &ledger = run_.books.ledger;
     find_limit();
     std::vector<RigidFragment<dim>> rigid;
-    if (stage_.mode == StageMode::lagrangian)
+    if (stage_.mode() == StageMode::lagrangian)
       {
         if (lock_slivers())
           find_limit();
@@ -203,7 +203,7 @@ namespace whipple
       for (MaterialState &m : domain.state.material)
         std::fill(m.energy.begin(), m.energy.end(), std::numeric_limits<double>::quiet_NaN());
     cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
-    if (stage_.mode == StageMode::lagrangian && holds_pieces())
+    if (stage_.mode() == StageMode::lagrangian && holds_pieces())
       refuse_folded();
     auto present = totals(domain.view->mesh, domain.state, domain.communicator());
     if (flight)
@@ -230,7 +230,7 @@ namespace whipple
     if (!fly(left))
       step(left, nullptr);
     reporter_.look(stage_, run_.domain.state.time - before, run_);
-    if (stage_.mode == StageMode::eulerian)
+    if (stage_.mode() == StageMode::eulerian)
       {
         if (regrid_is_due() || edge_touched())
           regrid();
@@ -322,7 +322,7 @@ namespace whipple
   StageLoop<dim>::begin()
   {
     const double   now      = run_.domain.state.time;
-    const bool     eulerian = stage_.mode == StageMode::eulerian;
+    const bool     eulerian = stage_.mode() == StageMode::eulerian;
     StageProgress &progress = run_.books.progress;
     progress                = StageProgress{};
     progress.begun          = true;

@@ -60,12 +60,12 @@ namespace whipple
   StageLoop<dim>::bonds_break()
   {
     StageProgress &progress = run_.books.progress;
-    if (stage_.cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
+    if (stage_.lagrangian->cohesion != Cohesion::graded || progress.since_regrid < scene_.mesh.regrid_steps)
       return false;
     progress.since_regrid = 0;
     Bookings<dim> bookings;
     const long    broken =
-        break_bonds(stage_.breaking, scene_.boundaries, stage_.lost_kinetic_energy, run_.domain, bookings);
+        break_bonds(stage_.lagrangian->breaking, scene_.boundaries, stage_.lost_kinetic_energy, run_.domain, bookings);
     if (broken == 0)
       return false;
     run_.books.summary.counts.breaks += broken;
@@ -95,7 +95,7 @@ namespace whipple
   {
     Domain<dim>   &domain       = run_.domain;
     const MPI_Comm communicator = domain.communicator();
-    if (stage_.cohesion == Cohesion::fragments || !holds_pieces())
+    if (stage_.lagrangian->cohesion == Cohesion::fragments || !holds_pieces())
       return false;
     std::vector<Index> cells = folding_cells(domain.view->mesh, domain.state, steps_ahead * limit_.dt);
     cells.insert(cells.end(), locked_.begin(), locked_.end());

@@ -32,9 +32,9 @@ namespace whipple
 
     template <int dim>
     ColdCurve
-    cold_curve(const Scene<dim> &scene, std::size_t material)
+    cold_curve(const Scene<dim> &scene, const FieldLayout &layout, std::size_t material)
     {
-      const EquationOfState &eos     = *scene.materials[material].model.eos;
+      const EquationOfState &eos     = *layout.materials[material].eos;
       const double           density = eos.reference_density();
       double                 energy  = 0;
       for (const Body<dim> &body : scene.bodies)
@@ -65,8 +65,8 @@ namespace whipple
   StateGuard<dim>::StateGuard(const Scene<dim> &scene, const FieldLayout &layout)
     : layout_(layout)
   {
-    for (std::size_t m = 0; m < scene.materials.size(); ++m)
-      curve_.push_back(cold_curve(scene, m));
+    for (std::size_t m = 0; m < layout.materials.size(); ++m)
+      curve_.push_back(cold_curve(scene, layout, m));
   }
 
   template <int dim>

@@ -126,7 +126,7 @@ namespace whipple::sections
       return;
     const SceneSection section(parameters, path);
     for (const Stage &stage : scene.stages)
-      if (stage.mode != StageMode::lagrangian || stage.cohesion != Cohesion::bonded)
+      if (!stage.lagrangian || stage.lagrangian->cohesion != Cohesion::bonded)
         section.reject("Mesh map", "stage '" + stage.name +
                                        "' has no bonded moving mesh; allowed are maps where all "
                                        "stages are lagrangian and bonded");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/scene/refinement_criterion.h>
+#include <whipple/refinement/refinement_criterion.h>
 #include <whipple/scene/sections.h>
 
 #include <cmath>

@@ -95,7 +95,7 @@ namespace whipple::sections
 
       Stage stage;
       stage.name = name;
-      stage.mode =
+      const StageMode mode =
           section.choice<StageMode>("Mode", {{"eulerian", StageMode::eulerian}, {"lagrangian", StageMode::lagrangian}});
       if (section.text("Introduces") != "none")
         for (const std::string &body : section.list("Introduces"))
@@ -105,13 +105,16 @@ namespace whipple::sections
         stage.max_time_step = *step;
       stage.lost_kinetic_energy = section.choice<KineticLoss>(
           "Lost kinetic energy", {{"heat", KineticLoss::heat}, {"drop", KineticLoss::drop}});
-      stage.cohesion = section.choice<Cohesion>(
+      LagrangianStage moving; // what is said must make sense in any case
+      moving.cohesion = section.choice<Cohesion>(
           "Cohesion", {{"bonded", Cohesion::bonded}, {"graded", Cohesion::graded}, {"fragments", Cohesion::fragments}});
-      stage.breaking.damage        = section.between("Break damage", units::number, 0, 1);
-      stage.breaking.void_fraction = section.between("Break void", units::number, 0, 1);
-      stage.breaking.shape         = section.between("Break shape", units::number, 0, 1);
-      stage.debris                 = read_debris(section, scene);
-      stage.representation         = read_representation(section);
+      moving.breaking.damage        = section.between("Break damage", units::number, 0, 1);
+      moving.breaking.void_fraction = section.between("Break void", units::number, 0, 1);
+      moving.breaking.shape         = section.between("Break shape", units::number, 0, 1);
+      moving.debris                 = read_debris(section, scene);
+      if (mode == StageMode::lagrangian)
+        stage.lagrangian = moving;
+      stage.representation = read_representation(section);
       return stage;
     }
 
@@ -146,7 +149,7 @@ namespace whipple::sections
           const SceneSection section(parameters, path + "/" + stage.name);
           if (s == 0 && stage.introduces.empty())
             section.reject("Introduces", "the first stage needs at least one body");
-          if (s > 0 && stage.mode == StageMode::lagrangian && !stage.introduces.empty())
+          if (s > 0 && stage.mode() == StageMode::lagrangian && !stage.introduces.empty())
             section.reject("Introduces", "only the first stage and Eulerian stages can introduce bodies");
           for (const std::size_t b : stage.introduces)
             {

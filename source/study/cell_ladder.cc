@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/scene/units.h>
 #include <whipple/study/cell_ladder.h>
 
@@ -87,7 +87,7 @@ namespace whipple
     StudyAxis
     new_cell_axis(const StudySection &section, const std::vector<PrmStatement> &overrides)
     {
-      const Scene<2>           scene = read_varied_scene<2>(section.scene_file, overrides);
+      const Scene<2>           scene = read_varied_problem<2>(section.scene_file, overrides).scene;
       const double             cell  = scene.lattice.spacing;
       std::vector<CellSetting> settings;
       for (const double factor : {8., 4., 2., 1.5, 1.})
@@ -115,7 +115,7 @@ namespace whipple
     extend(StudyAxis &axis, const StudySection &section, const std::vector<PrmStatement> &overrides)
     {
       const double finest = *axis.values[axis.base].cell;
-      const int    levels = read_varied_scene<2>(section.scene_file, overrides).lattice.max_level;
+      const int    levels = read_varied_problem<2>(section.scene_file, overrides).scene.lattice.max_level;
       for (const CellSetting &setting :
            fit_cells(section.scene_file, overrides, finest, {finer_factors.begin(), finer_factors.end()}))
         if (setting.levels == levels)
@@ -137,7 +137,7 @@ namespace whipple
   std::optional<CellSetting>
   fit_cell(const std::string &scene_file, std::vector<PrmStatement> overrides, double cell)
   {
-    const Scene<2>    scene = read_varied_scene<2>(scene_file, overrides);
+    const Scene<2>    scene = read_varied_problem<2>(scene_file, overrides).scene;
     const std::size_t size  = overrides.size();
     for (int levels = scene.lattice.max_level; levels >= 0; --levels)
       {
@@ -147,7 +147,7 @@ namespace whipple
           overrides.push_back(statement);
         try
           {
-            if (same_domain(read_varied_scene<2>(scene_file, overrides), scene))
+            if (same_domain(read_varied_problem<2>(scene_file, overrides).scene, scene))
               return setting;
           }
         catch (const InputError &)

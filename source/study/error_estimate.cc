@@ -43,14 +43,14 @@ namespace whipple
     }
   } // namespace
 
-  std::vector<Scene<2>>
-  coarser_scenes(const Scene<2> &scene, const std::vector<std::string> &overrides)
+  std::vector<Problem<2>>
+  coarser_problems(const Scene<2> &scene, const std::vector<std::string> &overrides)
   {
     std::vector<PrmStatement> statements;
     for (const std::string &text : overrides)
       statements.push_back(read_override(text));
     statements.push_back(read_override("Output/Fields interval = none"));
-    std::vector<Scene<2>> scenes;
+    std::vector<Problem<2>> problems;
     for (int level = scene.output.error_estimate_levels - 1; level > 0; --level)
       {
         const double cell    = scene.lattice.spacing * (1 << level);
@@ -62,9 +62,9 @@ namespace whipple
         std::vector<PrmStatement> all = statements;
         for (const PrmStatement &statement : setting->overrides("--set"))
           all.push_back(statement);
-        scenes.push_back(read_varied_scene<2>(scene.file, all));
+        problems.push_back(read_varied_problem<2>(scene.file, all));
       }
-    return scenes;
+    return problems;
   }
 
   std::map<std::string, std::map<std::string, summary::ErrorBar>>

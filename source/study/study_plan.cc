@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/study/study_plan.h>
 
 #include <algorithm>
@@ -140,12 +140,13 @@ namespace whipple
     void
     add_point(StudyPlan &plan, StudyPoint point)
     {
-      const Scene<2> scene       = read_varied_scene<2>(plan.section.scene_file, point.overrides);
+      const Problem<2> problem   = read_varied_problem<2>(plan.section.scene_file, point.overrides);
+      const Scene<2>  &scene     = problem.scene;
       point.cell                 = scene.lattice.spacing;
       point.effective_parameters = scene.effective_parameters;
       plan.title                 = scene.title;
-      plan.has_exact_solution    = plan.has_exact_solution || scene.exact;
-      for (auto &[place, table] : expected_results<2>(scene))
+      plan.has_exact_solution    = plan.has_exact_solution || problem.exact;
+      for (auto &[place, table] : expected_results<2>(problem))
         plan.results[place].merge(table);
       plan.points.push_back(std::move(point));
     }

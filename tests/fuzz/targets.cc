@@ -5,7 +5,7 @@
 
 #include <whipple/error.h>
 #include <whipple/material/tabulated.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/scene/units.h>
 
 #include <bit>
@@ -125,7 +125,7 @@ end
   {
     const table_writer::File file("fuzzed.prm");
     write(file.path(), bytes);
-    return message_of([&] { read_scene<2>(file.path(), {}); });
+    return message_of([&] { read_problem<2>(file.path(), {}); });
   }
 
   std::string
@@ -140,7 +140,7 @@ end
         statements.emplace_back(bytes.substr(0, end));
         bytes.remove_prefix(std::min(end + 1, bytes.size()));
       }
-    return message_of([&] { read_scene<2>(file.path(), statements); });
+    return message_of([&] { read_problem<2>(file.path(), statements); });
   }
 
   std::string

@@ -4,6 +4,7 @@
 #include <whipple/mesh/key_index.h>
 #include <whipple/run/bond_breaking.h>
 #include <whipple/state/packet_layout.h>
+#include <whipple/state/velocity_gather.h>
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <whipple/run/contact.h>
 #include <whipple/run/contact_search.h>
 #include <whipple/state/packet_layout.h>
+#include <whipple/state/velocity_gather.h>
 
 #include <gtest/gtest.h>
 

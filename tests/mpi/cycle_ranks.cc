@@ -66,13 +66,14 @@ namespace
   std::string
   failure_with(const std::string &effect)
   {
-    Scene<2> scene =
-        read_scene<2>(source_directory() + "/prm/verification/noh_spherical.prm", {"Mesh/Finest cell = 0.05 cm"});
-    const FieldLayout   layout(scene);
+    Problem<2> problem =
+        read_problem<2>(source_directory() + "/prm/verification/noh_spherical.prm", {"Mesh/Finest cell = 0.05 cm"});
+    Scene<2>           &scene  = problem.scene;
+    const FieldLayout  &layout = problem.layout;
     const Regridding<2> regridding(scene, layout);
     Domain<2>           domain{Forest<2>(MPI_COMM_WORLD, scene.lattice), nullptr, {}};
     Ledger<2>           ledger;
-    Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+    Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
     scene.effects.push_back(effect);
     Cycle<2> cycle(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo);
     cycle.refresh(domain.state, domain.derived);

@@ -161,12 +161,12 @@ namespace
                 [](const EffectSetup<2> &setup) { return std::make_unique<StumblingPass>(setup); });
 
   /// Noh's gas on a moving mesh, where the fields stay in their cells.
-  Scene<2>
+  Problem<2>
   scene_with(const std::string &effects, std::vector<std::string> overrides = {})
   {
     overrides.insert(overrides.begin(),
                      {"Mesh/Finest cell = 0.05 cm", "Stages/infall/Mode = lagrangian", "Effects/List = " + effects});
-    return read_scene<2>(source_directory() + "/prm/verification/noh_spherical.prm", overrides);
+    return read_problem<2>(source_directory() + "/prm/verification/noh_spherical.prm", overrides);
   }
 
   const std::vector<std::string> green{"Effects/test a lamp/Colour = 500 um"};
@@ -174,13 +174,12 @@ namespace
   /// One step of it.
   struct Step
   {
-    explicit Step(const Scene<2> &given)
-      : scene(given)
-      , layout(scene)
+    explicit Step(const Problem<2> &given)
+      : problem(given)
       , regridding(scene, layout)
       , domain{Forest<2>(MPI_COMM_WORLD, scene.lattice), nullptr, {}}
     {
-      Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
       cycle.emplace(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo);
       cycle->refresh(domain.state, domain.derived);
       ledger.check(present(), "start", 1.);
@@ -206,8 +205,9 @@ namespace
       return domain.state.material[0].fields[field_index(layout.fields, name)].value;
     }
 
-    Scene<2>                scene;
-    FieldLayout             layout;
+    Problem<2>              problem;
+    const Scene<2>         &scene  = problem.scene;
+    const FieldLayout      &layout = problem.layout;
     Regridding<2>           regridding;
     Domain<2>               domain;
     Ledger<2>               ledger;
@@ -279,7 +279,7 @@ namespace
     const Step off(scene_with(""));
     EXPECT_TRUE(off.layout.fields.empty());
     EXPECT_EQ(off.scene.effective_parameters.find("subsection test a lamp"), std::string::npos);
-    const Scene<2> on = scene_with("test a lamp, test z marker", green);
+    const Scene<2> on = scene_with("test a lamp, test z marker", green).scene;
     EXPECT_NE(on.effective_parameters.find("subsection test a lamp"), std::string::npos);
   }
 

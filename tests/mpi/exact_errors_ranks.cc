@@ -23,18 +23,19 @@ namespace
   Measured
   measure(MPI_Comm communicator)
   {
-    const Scene<2>      scene = read_scene<2>(source_directory() + "/prm/verification/noh_spherical.prm",
-                                         {"Mesh/Finest cell = 0.05 cm", "Exact solution/Start time = 0.3 us"});
-    const FieldLayout   layout(scene);
+    const Problem<2>    problem = read_problem<2>(source_directory() + "/prm/verification/noh_spherical.prm",
+                                               {"Mesh/Finest cell = 0.05 cm", "Exact solution/Start time = 0.3 us"});
+    const Scene<2>     &scene   = problem.scene;
+    const FieldLayout  &layout  = problem.layout;
     const Regridding<2> regridding(scene, layout);
     Domain<2>           domain{Forest<2>(communicator, scene.lattice), nullptr, {}};
     Ledger<2>           ledger;
-    Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+    Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
     LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
         .evaluate(domain.state, domain.derived);
     domain.state.time = 0.3;
-    return {exact_errors<2>(*scene.exact, domain.view->mesh, domain.state, domain.derived, communicator),
-            measure_shock<2>(scene, domain.view->mesh, domain.state, communicator)};
+    return {exact_errors<2>(*problem.exact, domain.view->mesh, domain.state, domain.derived, communicator),
+            measure_shock<2>(problem, domain.view->mesh, domain.state, communicator)};
   }
 
   TEST(ExactErrorsRanks, SameBitsOnAnyNumber)

@@ -16,7 +16,7 @@ namespace
   using namespace whipple;
 
   /// Two plates of one material, 5 and 2 cells thick, told apart by tags; `geometry` says where the domain lies.
-  Scene<2>
+  Problem<2>
   scene_of(const std::string &geometry)
   {
     int rank = 0;
@@ -34,20 +34,21 @@ namespace
                                "subsection Bodies\n set List = bumper, wall\n" +
                                body("bumper", "0.01", "0.1") + body("wall", "0.5", "0.04") +
                                "end\nsubsection Stages\n set List = s\n subsection s\n set End = 1 us\n end\nend\n";
-    const Scene<2> scene = read_scene<2>(path);
+    const Problem<2> problem = read_problem<2>(path);
     std::remove(path.c_str());
-    return scene;
+    return problem;
   }
 
   /// Measure a plate of which nothing is left nearer than 0.153 cm to x = 0, and one small piece.
   PlateMeasure
-  measure(const Scene<2> &scene, std::size_t body, MPI_Comm communicator)
+  measure(const Problem<2> &problem, std::size_t body, MPI_Comm communicator)
   {
-    const FieldLayout   layout(scene);
+    const Scene<2>     &scene  = problem.scene;
+    const FieldLayout  &layout = problem.layout;
     const Regridding<2> regridding(scene, layout);
     Domain<2>           domain{Forest<2>(communicator, scene.lattice), nullptr, {}};
     Ledger<2>           ledger;
-    Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+    Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
     const FlatMesh<2> &mesh = domain.view->mesh;
     for (Index c = 0; c < mesh.n_cells; ++c)
       {
@@ -79,8 +80,9 @@ namespace
     for (const std::string &geometry : {about_axis, both_halves})
       for (const std::size_t body : {0u, 1u})
         {
-          const Scene<2>     scene = scene_of(geometry);
-          const PlateMeasure all = measure(scene, body, MPI_COMM_WORLD), alone = measure(scene, body, MPI_COMM_SELF);
+          const Problem<2>   problem = scene_of(geometry);
+          const PlateMeasure all     = measure(problem, body, MPI_COMM_WORLD),
+                             alone   = measure(problem, body, MPI_COMM_SELF);
           EXPECT_TRUE(alone.perforated);
           EXPECT_NEAR(alone.hole_diameter, 0.306, 0.002);
           EXPECT_GT(alone.detached_mass, 0.);

@@ -32,7 +32,7 @@ namespace
                                         "Gauges/wall/Kind = surface velocity",
                                         "Gauges/wall/Body = wall"};
 
-  Scene<2>
+  Problem<2>
   shield(const std::string &cohesion)
   {
     std::vector<std::string> overrides = small;
@@ -41,7 +41,7 @@ namespace
     if (cohesion == "graded")
       overrides.insert(overrides.end(),
                        {"Effects/List = strength, voids, failure, body tags", "Materials/aluminium/Failure = spall"});
-    return read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
+    return read_problem<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
   }
 
   /// What a finished run is, in bits: checksums of mesh and fields, and the books but for times of the clock.
@@ -116,7 +116,7 @@ namespace
 
   /// Run a chain, and have it stopped by a signal to the first rank after that many seconds.
   void
-  run_until(const Scene<2> &scene, const std::string &directory, double seconds, MPI_Comm communicator)
+  run_until(const Problem<2> &scene, const std::string &directory, double seconds, MPI_Comm communicator)
   {
     const auto  simulation = start(scene, {directory}, communicator);
     std::thread alarm;
@@ -143,7 +143,7 @@ namespace
   {
     int ranks = 1;
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-    const Scene<2>    scene  = shield(cohesion);
+    const Problem<2>  scene  = shield(cohesion);
     const std::string folder = "restart_output_" + std::to_string(ranks) + "/" + cohesion;
     if (rank_of(MPI_COMM_WORLD) == 0)
       std::filesystem::create_directories(folder);
@@ -206,8 +206,8 @@ namespace
       {
         std::vector<std::string> overrides = small;
         overrides.insert(overrides.end(), {"Numerics/Inject failure at step = 17", "Numerics/Injected failures = 2"});
-        const Scene<2> scene = read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
-        int            ranks = 1;
+        const Problem<2> scene = read_problem<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
+        int              ranks = 1;
         MPI_Comm_size(MPI_COMM_WORLD, &ranks);
         const auto simulation = start(scene, {"restart_output_" + std::to_string(ranks) + "_retries"}, MPI_COMM_WORLD);
         simulation->run();
@@ -224,7 +224,7 @@ namespace
     const std::string directory = "restart_output_" + std::to_string(ranks) + "_changed";
     const auto        read      = [](std::vector<std::string> more) {
       more.insert(more.begin(), small.begin(), small.end());
-      return read_scene<2>(source_directory() + "/prm/whipple_shield.prm", more);
+      return read_problem<2>(source_directory() + "/prm/whipple_shield.prm", more);
     };
     run_until(read({}), directory, 0., MPI_COMM_WORLD);
     for (const char *change : {"Numerics/Courant number = 0.3", "Bodies/sphere/Velocity = 0 km/s, 6 km/s",

@@ -87,10 +87,11 @@ namespace
     scene.add("Bodies", "metal", body).add("Stages", "free", {{"Mode", mode}, {"End", with_unit(end, "us")}});
     const Outcome outcome = run(scene, "vacuum_metal_" + mode);
     expect_sound(table, outcome);
-    const Scene<2>         read = read_scene<2>("stability_output/vacuum_metal_" + mode + "/scene.prm");
+    const Problem<2>       read = read_problem<2>("stability_output/vacuum_metal_" + mode + "/scene.prm");
     const auto             eos  = read.materials[0].model.eos;
-    const exact::Isentrope isentrope(eos, exact::fluid_point(*eos, read.bodies[0].density, read.bodies[0].energy));
-    const double           release = isentrope.at_pressure(0.).speed;
+    const exact::Isentrope isentrope(
+        eos, exact::fluid_point(*eos, read.scene.bodies[0].density, read.scene.bodies[0].energy));
+    const double release = isentrope.at_pressure(0.).speed;
     table.at_most_short("fastest node / release velocity", outcome.fastest() / release, 1.01, 1.4);
     table.at_most_short("front beyond the exact one, cells", (foremost(outcome, 0.) - edge - release * end) / cell, 1.,
                         7.);

@@ -55,7 +55,7 @@ namespace
     const std::string folder = std::string("plane_") + impact.name + "_" + mode;
     std::filesystem::create_directories("stability_output/" + folder);
     scene.write("stability_output/" + folder + "/first.prm");
-    const Scene<2>       read  = read_scene<2>("stability_output/" + folder + "/first.prm");
+    const Problem<2>     read  = read_problem<2>("stability_output/" + folder + "/first.prm");
     const ImpedanceMatch match = impedance_match(read.materials[0], read.materials[1], speed);
     const double         jump  = speed - match.velocity; // in the flyer
     const double         shock = match.pressure / (read.materials[0].model.eos->reference_density() * jump);

@@ -229,7 +229,7 @@ namespace
         overrides.push_back(more);
     const Outcome outcome = run_file(source_directory() + "/prm/whipple_shield.prm", folder, overrides);
     expect_sound_impact(table, outcome);
-    const Scene<2>       read = read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
+    const Problem<2>     read = read_problem<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
     const ImpedanceMatch match =
         impedance_match(read.materials[0], read.materials[0], 0.1 * std::hypot(speed, sideways));
     table.at_most("largest pressure at any time / Hugoniot pressure of the impact",

@@ -220,7 +220,7 @@ namespace
     scene.add("Bodies", "metal", block(0, 0, 0.02, 0.4, "metal"))
         .add("Stages", "push", {{"Mode", "lagrangian"}, {"End", "0.08 us"}});
     const Outcome        outcome = run(scene, "piston");
-    const Scene<2>       read    = read_scene<2>("stability_output/piston/scene.prm");
+    const Problem<2>     read    = read_problem<2>("stability_output/piston/scene.prm");
     const ImpedanceMatch match   = impedance_match(read.materials[0], read.materials[0], 4.); // u = half the speed
     expect_sound(table, outcome);
     table.at_most("steps", outcome.steps(), 2000);

@@ -4,7 +4,7 @@
 #include "scene_text.h"
 
 #include <whipple/exact/riemann.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 
 #include <string>
 #include <utility>
@@ -76,9 +76,9 @@ namespace whipple::stability
 
   /// Impedance match of a striker (speed, cm/us) and a target at rest, without strength.
   inline ImpedanceMatch
-  impedance_match(const SceneMaterial &striker, const SceneMaterial &target, double speed)
+  impedance_match(const MaterialModels &striker, const MaterialModels &target, double speed)
   {
-    const auto side = [](const SceneMaterial &m, double v) {
+    const auto side = [](const MaterialModels &m, double v) {
       return exact::Riemann::State{m.model.eos, m.model.eos->reference_density(), v, 0.};
     };
     const exact::Riemann match(side(striker, speed), side(target, 0.));

@@ -3,8 +3,8 @@
 
 #include <whipple/error.h>
 #include <whipple/output/output_directory.h>
+#include <whipple/problem/problem.h>
 #include <whipple/run/simulation.h>
-#include <whipple/scene/scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -178,7 +178,7 @@ namespace whipple::stability
     std::filesystem::create_directories("stability_output/" + folder);
     prepare_output_directory(outcome.directory, MPI_COMM_SELF);
     outcome.simulation =
-        std::make_shared<Simulation<2>>(read_scene<2>(file, overrides), RunPlace{outcome.directory}, MPI_COMM_SELF);
+        std::make_shared<Simulation<2>>(read_problem<2>(file, overrides), RunPlace{outcome.directory}, MPI_COMM_SELF);
     try
       {
         outcome.simulation->run();

@@ -48,7 +48,7 @@ namespace
     const std::string folder  = std::string("gap_") + gap.name;
     const Outcome     outcome = run(scene, folder);
     expect_sound_impact(table, outcome);
-    const Scene<2>       read  = read_scene<2>("stability_output/" + folder + "/scene.prm");
+    const Problem<2>     read  = read_problem<2>("stability_output/" + folder + "/scene.prm");
     const ImpedanceMatch match = impedance_match(read.materials[0], read.materials[0], speed);
     const double         shock = match.pressure / (read.materials[0].model.eos->reference_density() * match.velocity);
     const std::vector<Cell> cells    = outcome.cells();

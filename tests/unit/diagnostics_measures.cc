@@ -45,10 +45,10 @@ namespace
     for (const auto &[file, settings] :
          {std::pair("/prm/whipple_shield.prm", shield), std::pair("/prm/verification/sod.prm", tube)})
       {
-        const Scene<2> scene      = read_scene<2>(source_directory() + file, settings);
-        const auto     simulation = start(scene, {"measures_output/run"}, MPI_COMM_SELF);
+        const Problem<2> problem    = read_problem<2>(source_directory() + file, settings);
+        const auto       simulation = start(problem, {"measures_output/run"}, MPI_COMM_SELF);
         simulation->run();
-        const auto expected = names_of(expected_results(scene));
+        const auto expected = names_of(expected_results(problem));
         EXPECT_GT(expected.size(), 2u) << file;
         EXPECT_EQ(names_of(simulation->summary().results), expected) << file;
         EXPECT_FALSE(std::filesystem::exists("measures_output/run/gauges"));

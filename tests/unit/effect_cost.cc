@@ -4,7 +4,7 @@
 #include "hydro_case.h"
 
 #include <whipple/effect/effect.h>
-#include <whipple/problem/field_layout.h>
+#include <whipple/problem/problem.h>
 
 #include <cstdio>
 #include <fstream>
@@ -15,8 +15,8 @@ namespace
   using namespace whipple::hydro_case;
 
   /// Two bodies of one aluminium with a model of every family.
-  Scene<2>
-  scene_with(const std::string &effects)
+  Problem<2>
+  problem_with(const std::string &effects)
   {
     const std::string path = testing::TempDir() + "whipple_effect_cost.prm";
     std::ofstream(path) << "subsection Geometry\n set Symmetry = planar\n set Lower corner = 0 cm, 0 cm\n"
@@ -36,17 +36,16 @@ namespace
                            " set End = 1 us\n end\nend\n"
                            "subsection Effects\n set List = "
                         << effects << "\nend\n";
-    const Scene<2> scene = read_scene<2>(path);
+    const Problem<2> problem = read_problem<2>(path);
     std::remove(path.c_str());
-    return scene;
+    return problem;
   }
 
   /// What runs on a mesh of eight cells.
   struct Case
   {
     explicit Case(const std::string &effects)
-      : scene(scene_with(effects))
-      , layout(scene)
+      : problem(problem_with(effects))
       , mesh(build(scene.lattice, uniform_keys(scene.lattice)))
       , state(layout.allocate(mesh))
       , lagrange(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
@@ -56,8 +55,9 @@ namespace
       lagrange.evaluate(state, derived);
     }
 
-    Scene<2>                 scene;
-    FieldLayout              layout;
+    Problem<2>               problem;
+    const Scene<2>          &scene  = problem.scene;
+    const FieldLayout       &layout = problem.layout;
     FlatMesh<2>              mesh;
     State<2>                 state;
     Derived                  derived;

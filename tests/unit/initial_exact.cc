@@ -38,14 +38,14 @@ namespace
            more;
   }
 
-  Scene<2>
-  scene_of(const std::string &text, const std::vector<std::string> &overrides)
+  Problem<2>
+  problem_of(const std::string &text, const std::vector<std::string> &overrides)
   {
     const std::string path = testing::TempDir() + "whipple_stage_exact.prm";
     std::ofstream(path) << text;
-    const Scene<2> scene = read_scene<2>(path, overrides);
+    const Problem<2> problem = read_problem<2>(path, overrides);
     std::remove(path.c_str());
-    return scene;
+    return problem;
   }
 
   std::vector<std::string>
@@ -57,14 +57,13 @@ namespace
   /// The state at the start of a scene's first stage.
   struct Start
   {
-    explicit Start(const Scene<2> &scene)
-      : scene(scene)
-      , layout(scene)
+    explicit Start(const Problem<2> &given)
+      : problem(given)
       , regridding(scene, layout)
       , domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}
     {
       Ledger<2> ledger;
-      Handover<2>(this->scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
       LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
           .evaluate(domain.state, domain.derived);
     }
@@ -75,10 +74,11 @@ namespace
       return exact_errors<2>(solution, domain.view->mesh, domain.state, domain.derived, MPI_COMM_SELF);
     }
 
-    Scene<2>      scene;
-    FieldLayout   layout;
-    Regridding<2> regridding;
-    Domain<2>     domain;
+    Problem<2>         problem;
+    const Scene<2>    &scene  = problem.scene;
+    const FieldLayout &layout = problem.layout;
+    Regridding<2>      regridding;
+    Domain<2>          domain;
   };
 
   /// A smooth flow without symmetry, at rest normal to the sides x = 0 and y = 0; pressure of the gas.
@@ -143,9 +143,9 @@ namespace
   {
     for (const std::string symmetry : {"planar", "axisymmetric"})
       {
-        Scene<2> scene    = scene_of(scene_text(symmetry, exact_state), uniform_cells("0.1 cm"));
-        scene.exact       = std::make_shared<Smooth>();
-        const auto errors = Start(scene).errors(*scene.exact);
+        Problem<2> problem = problem_of(scene_text(symmetry, exact_state), uniform_cells("0.1 cm"));
+        problem.exact      = std::make_shared<Smooth>();
+        const auto errors  = Start(problem).errors(*problem.exact);
         for (const char *name : {"density", "energy", "pressure"})
           EXPECT_LT(*errors.at(name).linf, 1e-14) << symmetry << ' ' << name;
         EXPECT_EQ(*errors.at("velocity").linf, 0.) << symmetry;
@@ -154,11 +154,11 @@ namespace
 
   TEST(StageExact, NodesAreExactOnMeshesWithHangingNodes)
   {
-    Scene<2> scene = scene_of(scene_text("planar", exact_state),
-                              {"Mesh/Finest cell = 0.025 cm", "Mesh/Levels = 2", "Mesh/Refinement = region",
-                               "Mesh/Region = 0 cm, 0 cm, 0.4 cm, 0.3 cm"});
-    scene.exact    = std::make_shared<Smooth>();
-    const Start        start(scene);
+    Problem<2> problem = problem_of(scene_text("planar", exact_state),
+                                    {"Mesh/Finest cell = 0.025 cm", "Mesh/Levels = 2", "Mesh/Refinement = region",
+                                     "Mesh/Region = 0 cm, 0 cm, 0.4 cm, 0.3 cm"});
+    problem.exact      = std::make_shared<Smooth>();
+    const Start        start(problem);
     const FlatMesh<2> &mesh  = start.domain.view->mesh;
     const State<2>    &state = start.domain.state;
     std::vector<bool>  hangs(mesh.n_nodes, false);
@@ -170,9 +170,9 @@ namespace
         {
           for (int d = 0; d < 2; ++d)
             EXPECT_NEAR(state.velocity[d][n],
-                        scene.exact->at({{state.position[0][n], state.position[1][n]}}, 0.).velocity[d], 1e-12);
+                        problem.exact->at({{state.position[0][n], state.position[1][n]}}, 0.).velocity[d], 1e-12);
         }
-    const auto errors = start.errors(*scene.exact);
+    const auto errors = start.errors(*problem.exact);
     EXPECT_LT(*errors.at("density").linf, 1e-14);
     EXPECT_LT(*errors.at("energy").linf, 1e-12); // nothing has been heated
     EXPECT_GT(*errors.at("velocity").linf, 0.);  // the hanging nodes
@@ -180,9 +180,9 @@ namespace
 
   TEST(StageExact, ShiftedStateHasTheErrorOfTheShift)
   {
-    Scene<2> scene    = scene_of(scene_text("axisymmetric", exact_state), uniform_cells("0.1 cm"));
-    scene.exact       = std::make_shared<Smooth>();
-    const auto errors = Start(scene).errors(Smooth(0.125));
+    Problem<2> problem = problem_of(scene_text("axisymmetric", exact_state), uniform_cells("0.1 cm"));
+    problem.exact      = std::make_shared<Smooth>();
+    const auto errors  = Start(problem).errors(Smooth(0.125));
     for (const char *name : {"density", "velocity"})
       for (const auto &norm : {errors.at(name).l1, errors.at(name).l2, errors.at(name).linf})
         EXPECT_NEAR(*norm, 0.125, 1e-13) << name;
@@ -204,8 +204,8 @@ namespace
           Case{"axisymmetric", exact::Geometry::cylindrical, position * position, 1e-13},
           Case{"axisymmetric", exact::Geometry::spherical, 2. / 3. * std::pow(position, 3), 1e-5}})
       {
-        const Scene<2> scene  = scene_of(scene_text(c.symmetry, unit_state), uniform_cells("0.1 cm"));
-        const auto     errors = Start(scene).errors(*step(position, c.geometry, scene.lattice.symmetry));
+        const Problem<2> problem = problem_of(scene_text(c.symmetry, unit_state), uniform_cells("0.1 cm"));
+        const auto       errors  = Start(problem).errors(*step(position, c.geometry, problem.scene.lattice.symmetry));
         EXPECT_NEAR(*errors.at("density").l1, 3. * c.share, c.tolerance) << c.symmetry;
         EXPECT_NEAR(*errors.at("density").linf, 3., 1e-13);
       }
@@ -215,10 +215,10 @@ namespace
   {
     for (const auto geometry : {exact::Geometry::planar, exact::Geometry::cylindrical, exact::Geometry::spherical})
       {
-        Scene<2> scene = scene_of(scene_text("axisymmetric", exact_state), uniform_cells("0.02 cm"));
-        scene.exact    = step(0.637, geometry, Symmetry::axisymmetric);
-        const Start start(scene);
-        const auto  shock = measure_shock<2>(start.scene, start.domain.view->mesh, start.domain.state, MPI_COMM_SELF);
+        Problem<2> problem = problem_of(scene_text("axisymmetric", exact_state), uniform_cells("0.02 cm"));
+        problem.exact      = step(0.637, geometry, Symmetry::axisymmetric);
+        const Start start(problem);
+        const auto  shock = measure_shock<2>(start.problem, start.domain.view->mesh, start.domain.state, MPI_COMM_SELF);
         ASSERT_TRUE(shock && shock->mean && shock->spread);
         EXPECT_EQ(shock->exact, 0.637);
         EXPECT_NEAR(*shock->mean, 0.637, 0.01);
@@ -233,7 +233,7 @@ namespace
         {
           std::vector<std::string> all = uniform_cells("0.1 cm");
           all.insert(all.end(), overrides.begin(), overrides.end());
-          scene_of(scene_text("planar", state), all);
+          problem_of(scene_text("planar", state), all);
         }
       catch (const InputError &error)
         {
@@ -261,11 +261,11 @@ namespace
 
   TEST(StageExact, DefaultsOfAKindAreInTheEffectiveParameters)
   {
-    const Scene<2> scene = scene_of(scene_text("planar", exact_state), uniform_cells("0.1 cm"));
-    ASSERT_TRUE(scene.exact);
-    EXPECT_EQ(scene.exact->name(), "noh");
-    EXPECT_NE(scene.effective_parameters.find("set Infall velocity"), std::string::npos);
-    const Scene<2> again = scene_of(scene.effective_parameters, {});
-    EXPECT_EQ(again.effective_parameters, scene.effective_parameters);
+    const Problem<2> problem = problem_of(scene_text("planar", exact_state), uniform_cells("0.1 cm"));
+    ASSERT_TRUE(problem.exact);
+    EXPECT_EQ(problem.exact->name(), "noh");
+    EXPECT_NE(problem.scene.effective_parameters.find("set Infall velocity"), std::string::npos);
+    const Problem<2> again = problem_of(problem.scene.effective_parameters, {});
+    EXPECT_EQ(again.scene.effective_parameters, problem.scene.effective_parameters);
   }
 } // namespace

@@ -24,25 +24,24 @@ namespace
   /// The state at the start of a scene's first stage.
   struct Start
   {
-    explicit Start(Scene<2> read)
-      : scene(std::move(read))
-      , layout(scene)
-      , regridding(scene, layout)
+    explicit Start(Problem<2> read)
+      : problem(std::move(read))
+      , regridding(scene, problem.layout)
       , domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}
     {
-      Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
     }
 
-    Scene<2>      scene;
-    FieldLayout   layout;
-    Regridding<2> regridding;
-    Domain<2>     domain;
-    Ledger<2>     ledger;
+    Problem<2>      problem;
+    const Scene<2> &scene = problem.scene;
+    Regridding<2>   regridding;
+    Domain<2>       domain;
+    Ledger<2>       ledger;
   };
 
   /// One body of aluminium in a square of 2 cm, or in the half of it that turns about the axis.
-  Scene<2>
-  scene_of(const std::string &symmetry, const std::string &body, const std::vector<std::string> &overrides = {})
+  Problem<2>
+  problem_of(const std::string &symmetry, const std::string &body, const std::vector<std::string> &overrides = {})
   {
     const bool        planar = symmetry == "planar";
     const std::string path   = testing::TempDir() + "whipple_expressions.prm";
@@ -55,9 +54,9 @@ namespace
                            "subsection Bodies\n set List = body\n subsection body\n set Material = aluminium\n"
                         << body
                         << " end\nend\nsubsection Stages\n set List = s\n subsection s\n set End = 1 us\n end\nend\n";
-    const Scene<2> scene = read_scene<2>(path, overrides);
+    const Problem<2> problem = read_problem<2>(path, overrides);
     std::remove(path.c_str());
-    return scene;
+    return problem;
   }
 
   const std::string square = " set Shape = box\n set Lower corner = 0 cm, 0 cm\n set Upper corner = 1 cm, 1 cm\n";
@@ -77,7 +76,7 @@ namespace
                                          body + "Specific energy unit = Mbar cm^3/g",
                                          body + "Velocity expression = -y*" + turn + "; x*" + turn,
                                          body + "Velocity unit = cm/us"};
-    const Start                    exact(read_scene<2>(file)), spoken(read_scene<2>(file, words));
+    const Start                    exact(read_problem<2>(file)), spoken(read_problem<2>(file, words));
     const MaterialState           &a = exact.domain.state.material[0], &b = spoken.domain.state.material[0];
     ASSERT_EQ(exact.domain.view->mesh.key, spoken.domain.view->mesh.key);
     double largest = 0;
@@ -95,12 +94,12 @@ namespace
     for (const bool planar : {true, false})
       {
         const std::string        r = planar ? "x" : "r", z = planar ? "y" : "z";
-        const Start              start(scene_of(planar ? "planar" : "axisymmetric",
-                                                square + " set Density expression = 2 + " + z +
-                                                    "\n set Density unit = g/cm^3\n set Coordinate unit = cm\n" +
-                                                    " set Specific energy expression = " + r + "*" + z +
-                                                    "\n set Specific energy unit = MJ/kg\n" + " set Velocity expression = 0; 3*" +
-                                                    z + "\n set Velocity unit = km/s\n"));
+        const Start              start(problem_of(planar ? "planar" : "axisymmetric",
+                                                  square + " set Density expression = 2 + " + z +
+                                                      "\n set Density unit = g/cm^3\n set Coordinate unit = cm\n" +
+                                                      " set Specific energy expression = " + r + "*" + z +
+                                                      "\n set Specific energy unit = MJ/kg\n" + " set Velocity expression = 0; 3*" +
+                                                      z + "\n set Velocity unit = km/s\n"));
         const ConservedTotals<2> sum  = totals(start.domain.view->mesh, start.domain.state, MPI_COMM_SELF);
         const double             area = planar ? 1. : pi, first = planar ? 0.5 : 2. * pi / 3.; // int 1, int r
         EXPECT_NEAR(sum.mass, 2.5 * area, 1e-13);
@@ -118,8 +117,9 @@ namespace
     for (const double at : {0.5, 0.5 + 0.001, 0.5 + 0.01, 0.5 + 0.0155, 0.5 + 0.03})
       {
         const auto mass = [&](const std::string &condition) {
-          const Start start(scene_of("planar", square + " set Density expression = if(" + condition +
-                                                   ", 3, 2)\n set Density unit = g/cm^3\n set Coordinate unit = cm\n"));
+          const Start start(
+              problem_of("planar", square + " set Density expression = if(" + condition +
+                                       ", 3, 2)\n set Density unit = g/cm^3\n set Coordinate unit = cm\n"));
           return totals(start.domain.view->mesh, start.domain.state, MPI_COMM_SELF).mass;
         };
         const double cell = 0.03125;
@@ -132,7 +132,7 @@ namespace
   TEST(InitialExpressions, UnitsOfCoordinatesAndValues)
   {
     const auto density = [](const std::string &keys) {
-      const Start start(scene_of("planar", square + keys));
+      const Start start(problem_of("planar", square + keys));
       return start.domain.state.material[0].density;
     };
     const auto cm =
@@ -147,12 +147,12 @@ namespace
   // A formula that means nothing outside of the body does not spoil the cells that the body cuts.
   TEST(InitialExpressions, OnlyTheBodyCounts)
   {
-    const Start start(scene_of("planar",
-                               " set Shape = sphere\n set Center = 0.1 cm, 0.05 cm\n set Diameter = 0.9 cm\n"
-                               " set Density expression = 2.7 + sqrt(0.2026 - (x-0.1)^2 - (y-0.05)^2)\n"
-                               " set Density unit = g/cm^3\n set Coordinate unit = cm\n"
-                               " set Velocity expression = 0.1/(x+0.40)*0 ; sqrt(0.2026-(x-0.1)^2-(y-0.05)^2)\n"
-                               " set Velocity unit = km/s\n"));
+    const Start start(problem_of("planar",
+                                 " set Shape = sphere\n set Center = 0.1 cm, 0.05 cm\n set Diameter = 0.9 cm\n"
+                                 " set Density expression = 2.7 + sqrt(0.2026 - (x-0.1)^2 - (y-0.05)^2)\n"
+                                 " set Density unit = g/cm^3\n set Coordinate unit = cm\n"
+                                 " set Velocity expression = 0.1/(x+0.40)*0 ; sqrt(0.2026-(x-0.1)^2-(y-0.05)^2)\n"
+                                 " set Velocity unit = km/s\n"));
     // int sqrt(a^2 - r^2) over r < R
     const double a2 = 0.2026, R2 = 0.45 * 0.45, integral = 2. * pi / 3. * (std::pow(a2, 1.5) - std::pow(a2 - R2, 1.5));
     const ConservedTotals<2> sum = totals(start.domain.view->mesh, start.domain.state, MPI_COMM_SELF);
@@ -164,9 +164,9 @@ namespace
   // Mass L d rho, momentum m v: an oblique plate on square cells.
   TEST(InitialShapes, ATurnedPlateBringsItsMassAndMomentum)
   {
-    const Start  start(scene_of("planar", " set Shape = plate\n set Front face = -0.05 cm\n set Thickness = 0.1 cm\n"
-                                           " set Half width = 0.6 cm\n set Rotation = 30 deg\n"
-                                           " set Density = 2.7 g/cm^3\n set Velocity = 1 km/s, -2 km/s\n"));
+    const Start  start(problem_of("planar", " set Shape = plate\n set Front face = -0.05 cm\n set Thickness = 0.1 cm\n"
+                                             " set Half width = 0.6 cm\n set Rotation = 30 deg\n"
+                                             " set Density = 2.7 g/cm^3\n set Velocity = 1 km/s, -2 km/s\n"));
     const double mass            = 2.7 * 0.1 * 1.2;
     const ConservedTotals<2> sum = totals(start.domain.view->mesh, start.domain.state, MPI_COMM_SELF);
     EXPECT_NEAR(sum.mass, mass, 1e-13);
@@ -177,15 +177,15 @@ namespace
 
   TEST(InitialShapes, AConeAndAPolygonOfRevolutionBringTheirMass)
   {
-    const Start cone(scene_of("axisymmetric", " set Shape = cone\n set Base center = 0 cm, -0.33 cm\n"
-                                              " set Base diameter = 0.77 cm\n set Top diameter = 0.21 cm\n"
-                                              " set Length = 0.55 cm\n set Density = 2.7 g/cm^3\n"));
+    const Start cone(problem_of("axisymmetric", " set Shape = cone\n set Base center = 0 cm, -0.33 cm\n"
+                                                " set Base diameter = 0.77 cm\n set Top diameter = 0.21 cm\n"
+                                                " set Length = 0.55 cm\n set Density = 2.7 g/cm^3\n"));
     EXPECT_NEAR(cone.ledger.introduced().mass, 2.7 * pi / 3. * 0.55 * (0.385 * 0.385 + 0.385 * 0.105 + 0.105 * 0.105),
                 1e-13);
 
     // a triangle off the axis: its area times the way of its centroid (Pappus)
-    const Start  ring(scene_of("axisymmetric", " set Shape = polygon\n set Density = 2.7 g/cm^3\n"
-                                                " set Corners = 3 mm, -2 mm; 8.1 mm, 0 mm; 4 mm, 3.3 mm\n"));
+    const Start  ring(problem_of("axisymmetric", " set Shape = polygon\n set Density = 2.7 g/cm^3\n"
+                                                  " set Corners = 3 mm, -2 mm; 8.1 mm, 0 mm; 4 mm, 3.3 mm\n"));
     const double area = 0.5 * (0.51 * 0.53 - 0.1 * 0.2);
     EXPECT_NEAR(ring.ledger.introduced().mass, 2.7 * area * 2. * pi * (0.3 + 0.81 + 0.4) / 3., 1e-13);
   }
@@ -197,8 +197,8 @@ namespace
     const auto body = [](const std::string &corners) {
       return " set Shape = polygon\n set Density = 2.7 g/cm^3\n set " + corners + "\n";
     };
-    const Scene<2> listed  = scene_of("axisymmetric", body("Corners = 3 mm, -2 mm; 8.1 mm, 0 mm; 4 mm, 3.3 mm"));
-    const Scene<2> read    = scene_of("axisymmetric", body("Corners file = whipple_corners.txt"));
+    const Scene<2> listed = problem_of("axisymmetric", body("Corners = 3 mm, -2 mm; 8.1 mm, 0 mm; 4 mm, 3.3 mm")).scene;
+    const Scene<2> read   = problem_of("axisymmetric", body("Corners file = whipple_corners.txt")).scene;
     const auto    &corners = listed.bodies[0].shape.as<PolygonShape>()->corners();
     EXPECT_EQ(corners.size(), 3u);
     EXPECT_EQ(corners, read.bodies[0].shape.as<PolygonShape>()->corners());

@@ -32,14 +32,14 @@ namespace
            mode + "\n set End = 0.2 us\n end\nend\n";
   }
 
-  Scene<2>
+  Problem<2>
   scene_of(const std::string &text, const std::vector<std::string> &overrides = {})
   {
     const std::string path = testing::TempDir() + "whipple_mesh_map.prm";
     std::ofstream(path) << text;
     try
       {
-        const Scene<2> scene = read_scene<2>(path, overrides);
+        const Problem<2> scene = read_problem<2>(path, overrides);
         std::remove(path.c_str());
         return scene;
       }
@@ -51,7 +51,7 @@ namespace
   }
 
   std::unique_ptr<Simulation<2>>
-  run(const Scene<2> &scene)
+  run(const Problem<2> &scene)
   {
     const std::string directory = testing::TempDir() + "whipple_mesh_map_output";
     prepare_output_directory(directory, MPI_COMM_SELF);

@@ -22,17 +22,16 @@ namespace
   struct Painted
   {
     explicit Painted(const std::vector<std::string> &overrides)
-      : Painted(read_scene<2>(source_directory() + "/prm/whipple_shield.prm", overrides))
+      : Painted(read_problem<2>(source_directory() + "/prm/whipple_shield.prm", overrides))
     {
     }
 
-    explicit Painted(Scene<2> read)
-      : scene(std::move(read))
-      , layout(scene)
-      , regridding(scene, layout)
-      , domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}
+    explicit Painted(Problem<2> read)
+      : problem(std::move(read))
+      , regridding(problem.scene, problem.layout)
+      , domain{Forest<2>(MPI_COMM_SELF, problem.scene.lattice), nullptr, {}}
     {
-      Handover<2>(scene, layout, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      Handover<2>(problem, regridding).enter(problem.scene.stages[0], nullptr, domain, ledger);
     }
 
     /// Least share of a cell that is filled at all.
@@ -46,8 +45,7 @@ namespace
       return least;
     }
 
-    Scene<2>      scene;
-    FieldLayout   layout;
+    Problem<2>    problem;
     Regridding<2> regridding;
     Domain<2>     domain;
     Ledger<2>     ledger;
@@ -98,16 +96,16 @@ namespace
   }
 
   /// A scene with a bumper thinner than a scene file may say.
-  Scene<2>
+  Problem<2>
   film(double thickness)
   {
-    Scene<2> scene = read_scene<2>(
+    Problem<2> problem = read_problem<2>(
         source_directory() + "/prm/whipple_shield.prm",
         with({"Bodies/List = bumper", "Bodies/bumper/Front face = 0.001 cm", "Bodies/bumper/Thickness = 0.01 cm"}));
-    Plate<2> plate        = *scene.bodies[0].shape.as<Plate<2>>();
-    plate.thickness       = thickness;
-    scene.bodies[0].shape = plate;
-    return scene;
+    Plate<2> plate                = *problem.scene.bodies[0].shape.as<Plate<2>>();
+    plate.thickness               = thickness;
+    problem.scene.bodies[0].shape = plate;
+    return problem;
   }
 
   // A gap, a film or a bubble that is real stays what it is.
@@ -134,7 +132,7 @@ namespace
   TEST(Painting, WhatCellsDoNotReceiveIsNoticed)
   {
     const Scene<2> scene =
-        read_scene<2>(source_directory() + "/prm/whipple_shield.prm", with({"Bodies/List = sphere, bumper"}));
+        read_problem<2>(source_directory() + "/prm/whipple_shield.prm", with({"Bodies/List = sphere, bumper"})).scene;
     const std::vector<std::size_t> bodies{0};
     const double                   volume = std::numbers::pi * 0.32 * 0.32 * 0.32 / 6.;
     const auto                     check  = [&](double received, double rounded) {

@@ -59,7 +59,7 @@ namespace
   }
 
   /// A square of aluminium in empty space, compressed by 7 %, at rest and without energy.
-  Scene<2>
+  Problem<2>
   compressed(const std::string &directory, const std::string &mode)
   {
     const std::string path = directory + "/scene.prm";
@@ -76,7 +76,7 @@ namespace
         << mode
         << "\n set End = 0.3 us\n end\nend\n"
            "subsection Output\n set Fields interval = none\nend\n";
-    return read_scene<2>(path);
+    return read_problem<2>(path);
   }
 
   TEST(LedgerScale, ABodyThatIsOnlyDenserRunsAndCloses)
@@ -85,8 +85,8 @@ namespace
     for (const char *mode : {"eulerian", "lagrangian"})
       {
         std::filesystem::create_directories(directory);
-        const Scene<2> scene = compressed(directory, mode);
-        Simulation<2>  run(scene, {directory, false, MPI_Wtime()}, MPI_COMM_SELF);
+        const Problem<2> scene = compressed(directory, mode);
+        Simulation<2>    run(scene, {directory, false, MPI_Wtime()}, MPI_COMM_SELF);
         ASSERT_NO_THROW(run.run()) << mode;
         const summary::Balance energy = run.summary().ledger.energy;
         EXPECT_LT(energy.closure_relative, 1e-13) << mode;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "projection_fixture.h"
 
-#include <whipple/projection/polygon_clip.h>
+#include <whipple/mesh/polygon_clip.h>
 
 #include <gtest/gtest.h>
 

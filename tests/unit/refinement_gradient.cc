@@ -3,7 +3,7 @@
 #include "source_directory.h"
 
 #include <whipple/error.h>
-#include <whipple/refinement/level_need.h>
+#include <whipple/problem/level_need.h>
 #include <whipple/run/resume.h>
 
 #include <gtest/gtest.h>
@@ -22,11 +22,11 @@ namespace
                                       "Mesh/Gradient field = pressure", "Mesh/Gradient levels = 2",
                                       "Mesh/Gradient change = 2 %",     "Output/Fields interval = none"};
 
-  Scene<2>
-  scene(std::vector<std::string> more)
+  Problem<2>
+  shock_tube(std::vector<std::string> more)
   {
     more.insert(more.begin(), tube.begin(), tube.end());
-    return read_scene<2>(source_directory() + "/prm/verification/sod.prm", more);
+    return read_problem<2>(source_directory() + "/prm/verification/sod.prm", more);
   }
 
   /// A shock tube after some time: where the pressure changes cells are fine, where no wave has come they give up both
@@ -34,13 +34,13 @@ namespace
   TEST(GradientCriterion, FollowsTheFieldThatWasChosen)
   {
     std::filesystem::create_directories("gradient_output");
-    const auto simulation = start(scene({}), {"gradient_output/sod"}, MPI_COMM_SELF);
+    const auto simulation = start(shock_tube({}), {"gradient_output/sod"}, MPI_COMM_SELF);
     simulation->run();
     const FlatMesh<2> &mesh   = simulation->domain().view->mesh;
     const State<2>    &state  = simulation->domain().state;
     const Derived     &after  = simulation->domain().derived;
-    const Scene<2>     judged = scene({});
-    const LevelNeed<2> need(judged);
+    const Problem<2>   judged = shock_tube({});
+    const LevelNeed<2> need(judged.scene, judged.layout);
     const auto         levels  = need.of_cells(mesh, state, after, MPI_COMM_SELF);
     double             largest = 0;
     for (Index c = 0; c < mesh.n_owned; ++c)
@@ -56,11 +56,11 @@ namespace
           // the derivative by the two cells of a face
           const double slope = std::abs(after.material[0].pressure[b] - after.material[0].pressure[a]) * 2. /
                                (mesh.size[a] + mesh.size[b]);
-          const double change = slope * judged.lattice.spacing / largest;
+          const double change = slope * judged.scene.lattice.spacing / largest;
           if (change > 0.02) // more than the finest cells are to show: no level is given up
             {
-              EXPECT_EQ(levels[a], judged.lattice.max_level);
-              EXPECT_EQ(levels[b], judged.lattice.max_level);
+              EXPECT_EQ(levels[a], judged.scene.lattice.max_level);
+              EXPECT_EQ(levels[b], judged.scene.lattice.max_level);
               ++fine;
             }
         }
@@ -68,11 +68,11 @@ namespace
     int at_rest = 0;
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
-        EXPECT_GE(levels[c], judged.lattice.max_level - 2);
+        EXPECT_GE(levels[c], judged.scene.lattice.max_level - 2);
         const double z = mesh.lower[1][c];
         if (z < 0.2 || z > 0.95) // no wave has come there
           {
-            EXPECT_EQ(levels[c], judged.lattice.max_level - 2) << z;
+            EXPECT_EQ(levels[c], judged.scene.lattice.max_level - 2) << z;
             ++at_rest;
           }
       }
@@ -81,13 +81,13 @@ namespace
 
   TEST(GradientCriterion, FieldsThatNothingCarriesAreRefused)
   {
-    EXPECT_THROW(scene({"Mesh/Gradient field = plastic strain"}), InputError); // a gas without strength
-    EXPECT_THROW(scene({"Mesh/Gradient field = presure"}), InputError);
-    EXPECT_THROW(scene({"Mesh/Gradient levels = 0"}), InputError);
-    EXPECT_NO_THROW(scene({"Mesh/Gradient field = speed"}));
+    EXPECT_THROW(shock_tube({"Mesh/Gradient field = plastic strain"}), InputError); // a gas without strength
+    EXPECT_THROW(shock_tube({"Mesh/Gradient field = presure"}), InputError);
+    EXPECT_THROW(shock_tube({"Mesh/Gradient levels = 0"}), InputError);
+    EXPECT_NO_THROW(shock_tube({"Mesh/Gradient field = speed"}));
     try
       {
-        scene({"Mesh/Gradient field = presure"});
+        shock_tube({"Mesh/Gradient field = presure"});
       }
     catch (const InputError &error)
       {

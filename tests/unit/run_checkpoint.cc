@@ -89,13 +89,13 @@ namespace
     EXPECT_THROW(books_from_cbor({bytes.begin(), bytes.end() - 9}), StateError);
   }
 
-  Scene<2>
+  Problem<2>
   scene()
   {
-    return read_scene<2>(source_directory() + "/prm/whipple_shield.prm",
-                         {"Mesh/Finest cell = 0.064 cm", "Output/Fields interval = none",
-                          "Stages/List = perforation, debris", "Stages/perforation/End = 0.2 us",
-                          "Stages/debris/End = for 0.2 us"});
+    return read_problem<2>(source_directory() + "/prm/whipple_shield.prm",
+                           {"Mesh/Finest cell = 0.064 cm", "Output/Fields interval = none",
+                            "Stages/List = perforation, debris", "Stages/perforation/End = 0.2 us",
+                            "Stages/debris/End = for 0.2 us"});
   }
 
   /// A run of two stages with its two checkpoints, in a folder of its own.

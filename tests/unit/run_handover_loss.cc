@@ -15,7 +15,7 @@ namespace
   using namespace whipple;
 
   /// A cloud, and a second stage in which a plate enters.
-  Scene<2>
+  Problem<2>
   two_stages(const std::string &lost)
   {
     const std::string path = testing::TempDir() + "whipple_handover_loss.prm";
@@ -37,9 +37,9 @@ namespace
            " subsection wall\n set Mode = eulerian\n set Introduces = plate\n set End = 2 us\n"
            " set Lost kinetic energy = "
         << lost << "\n end\nend\n";
-    const Scene<2> scene = read_scene<2>(path);
+    const Problem<2> problem = read_problem<2>(path);
     std::remove(path.c_str());
-    return scene;
+    return problem;
   }
 
   struct Entered
@@ -52,10 +52,11 @@ namespace
   Entered
   hand_over(const std::string &lost)
   {
-    const Scene<2>      scene = two_stages(lost);
-    const FieldLayout   layout(scene);
+    const Problem<2>    problem = two_stages(lost);
+    const Scene<2>     &scene   = problem.scene;
+    const FieldLayout  &layout  = problem.layout;
     const Regridding<2> regridding(scene, layout);
-    const Handover<2>   handover(scene, layout, regridding);
+    const Handover<2>   handover(problem, regridding);
     Domain<2>           domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}};
     Entered             result;
     handover.enter(scene.stages[0], nullptr, domain, result.ledger);

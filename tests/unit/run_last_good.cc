@@ -13,7 +13,7 @@ namespace
 {
   using namespace whipple;
 
-  Scene<2>
+  Problem<2>
   flying_block(const std::string &directory)
   {
     const std::string path = directory + "/scene.prm";
@@ -27,17 +27,18 @@ namespace
            " set Velocity = 0 km/s, 3 km/s\n set Material = al\n end\nend\n"
            "subsection Stages\n set List = flight\n subsection flight\n set Mode = eulerian\n set End = 1 us\n "
            "end\nend\n";
-    return read_scene<2>(path);
+    return read_problem<2>(path);
   }
 
   TEST(LastGood, HasItsTotalsOnceRestoredFromAnotherMesh)
   {
     const std::string directory = testing::TempDir() + "whipple_last_good";
     std::filesystem::create_directories(directory);
-    const Scene<2>      scene = flying_block(directory);
-    const FieldLayout   layout(scene);
+    const Problem<2>    problem = flying_block(directory);
+    const Scene<2>     &scene   = problem.scene;
+    const FieldLayout  &layout  = problem.layout;
     const Regridding<2> regridding(scene, layout);
-    const Handover<2>   handover(scene, layout, regridding);
+    const Handover<2>   handover(problem, regridding);
     RunState<2>         run{{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}, {}};
     handover.enter(scene.stages[0], nullptr, run.domain, run.books.ledger);
     for (double &mass : run.domain.state.node_mass) // carried: not to the last bit what the cells' masses add up to

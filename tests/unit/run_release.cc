@@ -17,7 +17,7 @@ namespace
   constexpr double edge = 0.1, swirl = 0.6; // cm, cm/us
 
   /// One element of aluminium that flies alone.
-  Scene<2>
+  Problem<2>
   lone_element(const std::string &directory)
   {
     const std::string path = directory + "/scene.prm";
@@ -35,7 +35,7 @@ namespace
            "subsection Stages\n set List = flight\n subsection flight\n set Mode = lagrangian\n"
            " set Cohesion = fragments\n set End = 1 us\n end\nend\n"
            "subsection Output\n set Fields interval = none\n set Statistics interval = 0 us\nend\n";
-    return read_scene<2>(path);
+    return read_problem<2>(path);
   }
 
   /// Entry of the first row of a statistics table.
@@ -58,10 +58,11 @@ namespace
   {
     const std::string directory = testing::TempDir() + "whipple_run_release";
     std::filesystem::create_directories(directory);
-    const Scene<2>      scene = lone_element(directory);
-    const FieldLayout   layout(scene);
+    const Problem<2>    problem = lone_element(directory);
+    const Scene<2>     &scene   = problem.scene;
+    const FieldLayout  &layout  = problem.layout;
     const Regridding<2> regridding(scene, layout);
-    const Handover<2>   handover(scene, layout, regridding);
+    const Handover<2>   handover(problem, regridding);
     RunState<2>         run{{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}, {}};
     Domain<2>          &domain = run.domain;
     Ledger<2>           ledger;
@@ -74,7 +75,7 @@ namespace
       domain.state.velocity[0][domain.view->mesh.cell_node[k]] = k == 0 || k == 3 ? swirl : -swirl;
     run.books.ledger.introduce(totals(domain.view->mesh, domain.state, MPI_COMM_SELF));
     {
-      Reporter<2>      reporter(scene, layout, directory, false, MPI_COMM_SELF, nullptr);
+      Reporter<2>      reporter(problem, directory, false, MPI_COMM_SELF, nullptr);
       RunClock         clock(run.books.summary.performance, MPI_COMM_SELF);
       Checkpointing<2> checkpointing(scene, layout, directory, MPI_Wtime(), clock, MPI_COMM_SELF);
       LastGood<2>      last_good;

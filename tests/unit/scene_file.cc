@@ -3,8 +3,8 @@
 
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
+#include <whipple/problem/problem.h>
 #include <whipple/scene/plate_shape.h>
-#include <whipple/scene/scene.h>
 #include <whipple/scene/sphere_shape.h>
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ namespace
   {
     try
       {
-        read_scene<2>(file, overrides);
+        read_problem<2>(file, overrides);
       }
     catch (const InputError &error)
       {
@@ -74,7 +74,8 @@ namespace
 
   TEST(SceneFile, WhippleShieldIsWhatItSays)
   {
-    const Scene<2> scene = read_scene<2>(shield);
+    const Problem<2> problem = read_problem<2>(shield);
+    const Scene<2>  &scene   = problem.scene;
     EXPECT_EQ(scene.lattice.symmetry, Symmetry::axisymmetric);
     EXPECT_EQ(scene.lattice.spacing, 0.004);
     EXPECT_EQ(scene.lattice.max_level, 5);
@@ -89,15 +90,16 @@ namespace
 
     ASSERT_EQ(scene.materials.size(), 1u);
     const SceneMaterial &aluminium = scene.materials[0];
+    const Material      &model     = problem.materials[0].model;
     EXPECT_EQ(aluminium.name, "aluminium");
-    EXPECT_DOUBLE_EQ(aluminium.model.eos->reference_density(), 2.785);
+    EXPECT_DOUBLE_EQ(model.eos->reference_density(), 2.785);
     EXPECT_EQ(aluminium.request.constants.at("Yield stress"), 0.00345);
     EXPECT_EQ(aluminium.request.constants.at("Spall strength"), 0.012);
     EXPECT_EQ(aluminium.request.constants.at("Alpha"), 1e5);
     EXPECT_DOUBLE_EQ(aluminium.request.constants.at("Sound speed"), 0.5328);
-    ASSERT_TRUE(aluminium.model.strength);
-    ASSERT_TRUE(aluminium.model.void_law);
-    EXPECT_EQ(aluminium.model.void_law->name(), "rate");
+    ASSERT_TRUE(model.strength);
+    ASSERT_TRUE(model.void_law);
+    EXPECT_EQ(model.void_law->name(), "rate");
 
     ASSERT_EQ(scene.bodies.size(), 3u);
     ASSERT_TRUE(scene.bodies[0].shape.as<Sphere<2>>());
@@ -114,17 +116,17 @@ namespace
 
     ASSERT_EQ(scene.stages.size(), 3u);
     const Stage &perforation = scene.stages[0], &debris = scene.stages[1], &impact = scene.stages[2];
-    EXPECT_EQ(perforation.mode, StageMode::eulerian);
+    EXPECT_EQ(perforation.mode(), StageMode::eulerian);
     EXPECT_EQ(perforation.introduces, (std::vector<std::size_t>{0, 1}));
     EXPECT_EQ(perforation.end->fixed_time(), std::optional<double>(1.5));
-    EXPECT_EQ(debris.mode, StageMode::lagrangian);
-    EXPECT_EQ(debris.cohesion, Cohesion::fragments);
-    EXPECT_EQ(debris.breaking.damage, 0.5);
-    EXPECT_EQ(debris.breaking.void_fraction, 0.15);
-    EXPECT_EQ(debris.breaking.shape, 0.2);
-    EXPECT_EQ(debris.debris.void_cutoff, 0.99);
-    EXPECT_DOUBLE_EQ(debris.debris.minimum_axial_velocity, 0.0658);
-    EXPECT_EQ(debris.debris.behind, std::optional<std::size_t>(1));
+    EXPECT_EQ(debris.mode(), StageMode::lagrangian);
+    EXPECT_EQ(debris.lagrangian->cohesion, Cohesion::fragments);
+    EXPECT_EQ(debris.lagrangian->breaking.damage, 0.5);
+    EXPECT_EQ(debris.lagrangian->breaking.void_fraction, 0.15);
+    EXPECT_EQ(debris.lagrangian->breaking.shape, 0.2);
+    EXPECT_EQ(debris.lagrangian->debris.void_cutoff, 0.99);
+    EXPECT_DOUBLE_EQ(debris.lagrangian->debris.minimum_axial_velocity, 0.0658);
+    EXPECT_EQ(debris.lagrangian->debris.behind, std::optional<std::size_t>(1));
     EXPECT_EQ(debris.end->awaited_body(), std::optional<std::size_t>(2));
     EXPECT_FALSE(debris.end->is_known());
     EXPECT_TRUE(debris.introduces.empty());
@@ -141,10 +143,10 @@ namespace
     for (const auto &entry : std::filesystem::recursive_directory_iterator(source + "/prm"))
       if (entry.path().extension() == ".prm" && entry.path().parent_path().filename() != "studies")
         {
-          const Scene<2>       scene = read_scene<2>(entry.path());
+          const Scene<2>       scene = read_problem<2>(entry.path()).scene;
           const TemporaryScene copy("");
           write_effective_parameters(scene, copy.path());
-          const Scene<2> again = read_scene<2>(copy.path());
+          const Scene<2> again = read_problem<2>(copy.path()).scene;
           EXPECT_EQ(again.effective_parameters, scene.effective_parameters) << entry.path();
           EXPECT_EQ(again.lattice.roots, scene.lattice.roots);
           EXPECT_EQ(again.lattice.origin, scene.lattice.origin);
@@ -161,7 +163,10 @@ namespace
           for (std::size_t s = 0; s < scene.stages.size(); ++s)
             {
               EXPECT_EQ(again.stages[s].introduces, scene.stages[s].introduces);
-              EXPECT_EQ(again.stages[s].debris.minimum_axial_velocity, scene.stages[s].debris.minimum_axial_velocity);
+              ASSERT_EQ(again.stages[s].mode(), scene.stages[s].mode());
+              if (const auto &moving = scene.stages[s].lagrangian)
+                EXPECT_EQ(again.stages[s].lagrangian->debris.minimum_axial_velocity,
+                          moving->debris.minimum_axial_velocity);
             }
           ++scenes;
         }
@@ -192,7 +197,7 @@ namespace
   {
     std::ifstream      page(source + "/doc/scene_files.md");
     const std::string  manual{std::istreambuf_iterator<char>(page), {}};
-    std::istringstream parameters(read_scene<2>(shield).effective_parameters);
+    std::istringstream parameters(read_problem<2>(shield).scene.effective_parameters);
     int                depth = 0, keys = 0;
     for (std::string line; std::getline(parameters, line);)
       {
@@ -219,9 +224,11 @@ namespace
 
   TEST(SceneFile, OverridesAreReadLikeTheFile)
   {
-    const Scene<2> scene = read_scene<2>(
-        shield, {"Mesh/Finest cell = 0.016 cm", "Materials/aluminium/Yield stress=100 MPa", "Title = coarse",
-                 "Mesh/Levels = 2", "Mesh/Levels = 3", "Numerics/Inject failure at step = 7"});
+    const Scene<2> scene =
+        read_problem<2>(shield,
+                        {"Mesh/Finest cell = 0.016 cm", "Materials/aluminium/Yield stress=100 MPa", "Title = coarse",
+                         "Mesh/Levels = 2", "Mesh/Levels = 3", "Numerics/Inject failure at step = 7"})
+            .scene;
     EXPECT_EQ(scene.lattice.spacing, 0.016);
     EXPECT_EQ(scene.lattice.max_level, 3);
     EXPECT_EQ(scene.title, "coarse");
@@ -229,7 +236,7 @@ namespace
     EXPECT_EQ(scene.numerics.inject_failure_at_step, std::optional<int>(7));
 
     // a shorter list leaves subsections unused
-    const Scene<2> first = read_scene<2>(shield, {"Stages/List = perforation"});
+    const Scene<2> first = read_problem<2>(shield, {"Stages/List = perforation"}).scene;
     EXPECT_EQ(first.stages.size(), 1u);
     EXPECT_EQ(first.stages[0].introduces, (std::vector<std::size_t>{0, 1}));
 
@@ -246,32 +253,34 @@ namespace
 
   TEST(SceneFile, DomainGrowsToWholeRootCells)
   {
-    const Scene<2> scene = read_scene<2>(shield, {"Geometry/Upper corner = 4.1 cm, 11.3 cm"});
+    const Scene<2> scene = read_problem<2>(shield, {"Geometry/Upper corner = 4.1 cm, 11.3 cm"}).scene;
     EXPECT_EQ(scene.lattice.roots, (std::array<int, 2>{{33, 97}}));
     EXPECT_DOUBLE_EQ(scene.upper_corner()[0], 33 * 0.128);
     EXPECT_NE(scene.effective_parameters.find("4.224"), std::string::npos);
     const TemporaryScene copy("");
     write_effective_parameters(scene, copy.path());
-    EXPECT_EQ(read_scene<2>(copy.path()).lattice.roots, scene.lattice.roots);
+    EXPECT_EQ(read_problem<2>(copy.path()).scene.lattice.roots, scene.lattice.roots);
   }
 
   TEST(SceneFile, EffectsLeftOutLeaveTheirModelsOut)
   {
-    const Scene<2> scene = read_scene<2>(shield, {"Effects/List = strength", "Stages/List = perforation"});
-    EXPECT_TRUE(scene.materials[0].model.strength);
-    EXPECT_FALSE(scene.materials[0].model.void_law);
-    EXPECT_FALSE(scene.has_effect("voids"));
+    const Problem<2> problem = read_problem<2>(shield, {"Effects/List = strength", "Stages/List = perforation"});
+    EXPECT_TRUE(problem.materials[0].model.strength);
+    EXPECT_FALSE(problem.materials[0].model.void_law);
+    EXPECT_TRUE(problem.materials[0].complete.void_law);
+    EXPECT_FALSE(problem.layout.materials[0].void_law);
+    EXPECT_FALSE(problem.scene.has_effect("voids"));
   }
 
   TEST(SceneFile, InitialStates)
   {
-    const Scene<2> sod = read_scene<2>(source + "/prm/verification/sod.prm");
+    const Scene<2> sod = read_problem<2>(source + "/prm/verification/sod.prm").scene;
     EXPECT_DOUBLE_EQ(sod.bodies[0].energy, 1. / 0.4);
     EXPECT_DOUBLE_EQ(sod.bodies[1].energy, 0.1 / 0.4 / 0.125);
     EXPECT_EQ(sod.lattice.roots, (std::array<int, 2>{{4, 100}}));
     EXPECT_EQ(sod.stages[0].introduces, (std::vector<std::size_t>{0, 1}));
 
-    const Scene<2> sedov = read_scene<2>(source + "/prm/verification/sedov.prm");
+    const Scene<2> sedov = read_problem<2>(source + "/prm/verification/sedov.prm").scene;
     EXPECT_EQ(sedov.lattice.roots, (std::array<int, 2>{{45, 45}}));
     ASSERT_TRUE(sedov.bodies[0].deposit);
     EXPECT_EQ(sedov.bodies[0].deposit->energy, 0.2467966);
@@ -279,7 +288,7 @@ namespace
     // solution)
     EXPECT_NEAR(std::pow(2. * sedov.bodies[0].deposit->energy, -0.2), 1.151666, 1.5e-6);
 
-    const Scene<2> piston = read_scene<2>(source + "/prm/verification/elastic_plastic_piston.prm");
+    const Scene<2> piston = read_problem<2>(source + "/prm/verification/elastic_plastic_piston.prm").scene;
     EXPECT_EQ(piston.boundaries[2].kind, BoundaryKind::inflow);
     EXPECT_EQ(piston.boundaries[2].velocity, (Vector<2>{{0, 0.01}}));
     EXPECT_EQ(piston.materials[0].request.constants.at("Sound speed"), 0.533);
@@ -290,7 +299,7 @@ namespace
   {
     const TemporaryScene file(
         edited_shield("set Right  = transmitting", "set Right  = transmitting, keeps ambient stress"));
-    const Scene<2>     scene = read_scene<2>(file.path());
+    const Scene<2>     scene = read_problem<2>(file.path()).scene;
     const Boundary<2> &right = scene.boundaries[1];
     EXPECT_EQ(right.kind, BoundaryKind::transmitting);
     EXPECT_TRUE(right.keeps_ambient);
@@ -302,8 +311,9 @@ namespace
 
   TEST(SceneFile, InfiniteConstants)
   {
-    const Scene<2> scene = read_scene<2>(
-        shield, {"Materials/aluminium/Alpha = infinite", "Materials/aluminium/Spall strength = infinite"});
+    const Scene<2> scene = read_problem<2>(shield, {"Materials/aluminium/Alpha = infinite",
+                                                    "Materials/aluminium/Spall strength = infinite"})
+                               .scene;
     EXPECT_TRUE(std::isinf(scene.materials[0].request.constants.at("Alpha")));
     EXPECT_TRUE(std::isinf(scene.materials[0].request.constants.at("Spall strength")));
   }

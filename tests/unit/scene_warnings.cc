@@ -3,8 +3,8 @@
 #include "source_directory.h"
 
 #include <whipple/error.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/scene_warnings.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/scene_warnings.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ namespace
   warned(const std::vector<std::string> &overrides, const std::string &file = shield)
   {
     std::string all;
-    for (const std::string &line : scene_warnings(read_scene<2>(file, overrides)))
+    for (const std::string &line : scene_warnings(read_problem<2>(file, overrides)))
       all += line + '\n';
     return all;
   }
@@ -44,7 +44,7 @@ namespace
   {
     try
       {
-        read_scene<2>(file, overrides);
+        read_problem<2>(file, overrides);
       }
     catch (const InputError &error)
       {
@@ -105,7 +105,7 @@ namespace
     EXPECT_NE(fine.find(" of one core"), std::string::npos) << fine;
     // measured (doc/performance.md): 118 s on one core, 66,742 cells, 8,589 steps; a factor of 3 is what an estimate
     // may miss
-    const CostEstimate cost = estimate_cost(read_scene<2>(shield));
+    const CostEstimate cost = estimate_cost(read_problem<2>(shield));
     EXPECT_GT(cost.seconds, 118. / 3.);
     EXPECT_LT(cost.seconds, 118. * 3.);
     EXPECT_GT(cost.cells, 66742. / 3.);
@@ -199,9 +199,9 @@ namespace
     double
     seconds_to_read() const
     {
-      const auto     start = std::chrono::steady_clock::now();
-      const Scene<2> scene = read_scene<2>(path_);
-      EXPECT_TRUE(scene.has_effect("strength"));
+      const auto       start   = std::chrono::steady_clock::now();
+      const Problem<2> problem = read_problem<2>(path_);
+      EXPECT_TRUE(problem.scene.has_effect("strength"));
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     const std::string &
@@ -224,8 +224,8 @@ namespace
   TEST(ManyBodies, VerdictsNeedOnlyTheSlowestAndTheFastest)
   {
     const Row                    row(12, "auto");
-    const Scene<2>               scene = read_scene<2>(row.path());
-    const std::vector<Encounter> all = encounters(scene), extreme = extreme_encounters(scene);
+    const Problem<2>             problem = read_problem<2>(row.path());
+    const std::vector<Encounter> all = encounters(problem), extreme = extreme_encounters(problem);
     ASSERT_GT(all.size(), 20u);
     ASSERT_EQ(extreme.size(), 2u);
     double least = 1e300, most = 0;

@@ -2,7 +2,7 @@
 #include "source_directory.h"
 
 #include <whipple/error.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/study/study_plan.h>
 
 #include <gtest/gtest.h>
@@ -204,10 +204,10 @@ namespace
     const std::string scene{std::istreambuf_iterator<char>(input), {}};
     const std::string path = testing::TempDir() + "whipple_scene_and_study.prm";
     std::ofstream(path) << scene << "\nsubsection Study\n" << own;
-    EXPECT_EQ(read_scene<2>(path).effective_parameters, read_scene<2>(shield).effective_parameters);
+    EXPECT_EQ(read_problem<2>(path).scene.effective_parameters, read_problem<2>(shield).scene.effective_parameters);
     std::ofstream(path) << scene << "\nsubsection Study\n set Axis = cell\nend\n";
-    EXPECT_THROW(read_scene<2>(path), InputError);
+    EXPECT_THROW(read_problem<2>(path), InputError);
     std::remove(path.c_str());
-    EXPECT_THROW(read_scene<2>(TemporaryStudy().path), InputError); // a study of another file's scene
+    EXPECT_THROW(read_problem<2>(TemporaryStudy().path), InputError); // a study of another file's scene
   }
 } // namespace

@@ -38,7 +38,7 @@ namespace
            " set Velocity = 0 m/s, -200 m/s\n end\nend\nsubsection Stages\n set List = s\n subsection s\n"
            " set End = 60 us\n end\nend\n";
     prepare_output_directory(directory, MPI_COMM_SELF);
-    Simulation<2> simulation(read_scene<2>(file), RunPlace{directory}, MPI_COMM_SELF);
+    Simulation<2> simulation(read_problem<2>(file), RunPlace{directory}, MPI_COMM_SELF);
     simulation.run();
 
     const FlatMesh<2>   &mesh  = simulation.domain().view->mesh;

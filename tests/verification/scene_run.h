@@ -4,8 +4,8 @@
 #include "source_directory.h"
 
 #include <whipple/output/output_directory.h>
+#include <whipple/problem/problem.h>
 #include <whipple/run/simulation.h>
-#include <whipple/scene/scene.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace whipple::verification
     const std::string directory = "verification_output/" + folder;
     std::filesystem::create_directories("verification_output");
     prepare_output_directory(directory, MPI_COMM_SELF);
-    auto simulation = std::make_unique<Simulation<2>>(read_scene<2>(source_directory() + "/prm/" + scene, overrides),
+    auto simulation = std::make_unique<Simulation<2>>(read_problem<2>(source_directory() + "/prm/" + scene, overrides),
                                                       RunPlace{directory}, MPI_COMM_SELF);
     simulation->run();
     return simulation;

@@ -37,12 +37,12 @@ namespace
   expect_undisturbed(const std::string &body, const std::vector<std::string> &overrides, const Vector<2> &way,
                      double whole, double allowed_shape_error)
   {
-    const std::string        file       = "verification/sphere_translation.prm";
-    const auto               run        = verification::run(file, overrides, "translation of a " + body);
-    const Simulation<2>     &simulation = *run;
-    const Shape<2>           shape      = read_scene<2>(source_directory() + "/prm/" + file, overrides).bodies[0].shape;
-    const ConservedTotals<2> before     = simulation.ledger().introduced();
-    const ConservedTotals<2> after = totals(simulation.domain().view->mesh, simulation.domain().state, MPI_COMM_SELF);
+    const std::string    file       = "verification/sphere_translation.prm";
+    const auto           run        = verification::run(file, overrides, "translation of a " + body);
+    const Simulation<2> &simulation = *run;
+    const Shape<2>       shape = read_problem<2>(source_directory() + "/prm/" + file, overrides).scene.bodies[0].shape;
+    const ConservedTotals<2> before = simulation.ledger().introduced();
+    const ConservedTotals<2> after  = totals(simulation.domain().view->mesh, simulation.domain().state, MPI_COMM_SELF);
     expect_at_most(body + " in flight: mass against the formula, relative", before.mass / (2.785 * whole) - 1., 1e-13);
     expect_at_most(body + " in flight: mass, relative change", after.mass / before.mass - 1., 1e-13);
     expect_at_most(body + " in flight: axial momentum, relative change", after.momentum[1] / before.momentum[1] - 1.,

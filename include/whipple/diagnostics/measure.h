@@ -3,8 +3,7 @@
 
 #include <whipple/diagnostics/result_table.h>
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/problem/field_layout.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -26,13 +25,15 @@ namespace whipple
   template <int dim>
   struct MeasureView
   {
-    const Scene<dim>    &scene;
-    const FieldLayout   &layout;
+    const Problem<dim>  &problem;
     std::size_t          stage; ///< number of the stage that the run is in
     const FlatMesh<dim> &mesh;
     const State<dim>    &state;
     const Derived       &derived; ///< of this state, but for stage_begins()
     MPI_Comm             communicator;
+
+    const Scene<dim>  &scene  = problem.scene;
+    const FieldLayout &layout = problem.layout;
   };
 
   /// Where a measure puts what it has found.
@@ -67,7 +68,7 @@ namespace whipple
 
     /// Enter all results that a scene will have from this measure if it runs to its end; only names and types count.
     virtual void
-    expect(const Scene<dim> &, std::map<std::string, ResultTable> &) const
+    expect(const Problem<dim> &, std::map<std::string, ResultTable> &) const
     {
     }
   };
@@ -161,8 +162,8 @@ namespace whipple
     }
   };
 
-  /// All results that the scene will have if it runs to its end, by place; only names and types count.
+  /// All results that there will be if a run runs to its end, by place; only names and types count.
   template <int dim>
   std::map<std::string, ResultTable>
-  expected_results(const Scene<dim> &scene);
+  expected_results(const Problem<dim> &problem);
 } // namespace whipple

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/exact/exact_solution.h>
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -27,5 +26,5 @@ namespace whipple
   /// @returns nothing if the solution has no shock or does not say the densities beside it
   template <int dim>
   std::optional<ShockMeasure>
-  measure_shock(const Scene<dim> &scene, const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator);
+  measure_shock(const Problem<dim> &problem, const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator);
 } // namespace whipple

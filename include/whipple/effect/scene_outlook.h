@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/effect/effect_verdict.h>
 #include <whipple/material/material.h>
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,15 +69,6 @@ namespace whipple
     /// Whether a material enters with pores.
     bool
     is_porous() const;
-  };
-
-  /// Whether an effect or option is on, and why.
-  struct EffectVerdict
-  {
-    std::string           name;
-    bool                  on     = false;
-    std::optional<double> number = {}; ///< dimensionless, that decides; none: listed, or nothing to measure
-    std::string           reason = {}; ///< one line
   };
 
   /// What is to be said where no material names a model under `key`, or where no impact can be judged by.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/exact/exact_solution.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/mesh/geometry.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/field_layout.h>
 #include <whipple/state/corner_velocity.h>
 #include <whipple/state/fields.h>
 
@@ -42,7 +43,7 @@ namespace whipple
   {
   public:
     /// @param state positions and volumes of the mesh at the time of the filling
-    ExactFilling(const exact::ExactSolution<dim> &solution, const Scene<dim> &scene, const FlatMesh<dim> &mesh,
+    ExactFilling(const exact::ExactSolution<dim> &solution, const FieldLayout &layout, const FlatMesh<dim> &mesh,
                  const State<dim> &state);
 
     /// @throws StateError where the solution gives no density, velocity, or neither energy nor pressure
@@ -57,7 +58,7 @@ namespace whipple
 
   private:
     const exact::ExactSolution<dim> &solution_;
-    const Scene<dim>                &scene_;
+    const FieldLayout               &layout_;
     const FlatMesh<dim>             &mesh_;
     std::vector<Vector<dim>>         node_velocity_;
   };

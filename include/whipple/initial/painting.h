@@ -2,9 +2,8 @@
 #pragma once
 
 #include <whipple/mesh/refinement_map.h>
-#include <whipple/problem/field_layout.h>
-#include <whipple/refinement/level_need.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/level_need.h>
+#include <whipple/problem/problem.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <span>
@@ -27,6 +26,6 @@ namespace whipple
   /// ConservationError if the cells do not receive the volumes of the bodies.
   template <int dim>
   Booking<dim>
-  paint_bodies(const Scene<dim> &scene, const FieldLayout &layout, std::span<const std::size_t> bodies,
-               const FlatMesh<dim> &mesh, MPI_Comm communicator, State<dim> &state);
+  paint_bodies(const Problem<dim> &problem, std::span<const std::size_t> bodies, const FlatMesh<dim> &mesh,
+               MPI_Comm communicator, State<dim> &state);
 } // namespace whipple

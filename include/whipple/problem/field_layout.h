@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/problem/material_models.h>
 #include <whipple/scene/scene.h>
 #include <whipple/state/fields.h>
 
@@ -23,7 +24,8 @@ namespace whipple
     /// From the scene: what its effects register (effect/effect.h); the void fraction is a member of MaterialState, not
     /// in the list; "body tags" adds one mass fraction for every body but the last of each material.
     template <int dim>
-    explicit FieldLayout(const Scene<dim> &scene);
+    FieldLayout(const Scene<dim> &scene, const std::vector<MaterialModels> &models);
+    FieldLayout() = default;
 
     /// Whether the bodies of the scene can be told apart in the state.
     bool bodies_separable = false;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/mesh/polygon_clip.h>
 #include <whipple/projection/cell_motion.h>
 #include <whipple/projection/element.h>
-#include <whipple/projection/polygon_clip.h>
 
 #include <vector>
 

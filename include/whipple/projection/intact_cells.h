@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/projection/projection_parameters.h>
 #include <whipple/state/fields.h>
 
 #include <cstdint>
@@ -9,14 +10,6 @@
 
 namespace whipple
 {
-  /// When a cell lets go of its neighbours (graded cohesion; doc/theory/projection.md).
-  struct BreakCriteria
-  {
-    double damage        = 0.5;  ///< broken from this damage of the cell's heaviest material on
-    double void_fraction = 0.15; ///< without a damage field: broken above this share of voids in the cell
-    double shape         = 0.2;  ///< broken when a corner's Jacobian falls below this part of the four corners' mean
-  };
-
   /// Which owned cells have not broken, one flag each. A cell is broken
   ///   - where the state carries damage: when that of its heaviest material (of equals the first) reaches the limit;
   ///   - where it does not: when its voids, those outside the materials included, 1 - sum_m (1 - phi_m) V_m / V, exceed

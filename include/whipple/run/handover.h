@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/ledger/ledger.h>
+#include <whipple/problem/problem.h>
 #include <whipple/projection/element.h>
 #include <whipple/run/regridding.h>
 
@@ -12,7 +13,7 @@ namespace whipple
   class Handover
   {
   public:
-    Handover(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding);
+    Handover(const Problem<dim> &problem, const Regridding<dim> &regridding);
 
     /// Make the domain ready for a stage: bodies that enter are painted, projections run where the mode changes.
     /// @param previous the stage before, null for the first
@@ -53,6 +54,7 @@ namespace whipple
     void
     paint(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
+    const Problem<dim>    &problem_;
     const Scene<dim>      &scene_;
     const FieldLayout     &layout_;
     const Regridding<dim> &regridding_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/refinement_map.h>
-#include <whipple/refinement/level_need.h>
+#include <whipple/problem/level_need.h>
 #include <whipple/remap/directional_remap.h>
 #include <whipple/run/domain.h>
 #include <whipple/scene/scene.h>

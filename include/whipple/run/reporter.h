@@ -7,6 +7,7 @@
 #include <whipple/output/run_log.h>
 #include <whipple/output/step_table.h>
 #include <whipple/output/summary.h>
+#include <whipple/problem/problem.h>
 #include <whipple/run/cycle.h>
 #include <whipple/run/run_state.h>
 
@@ -33,8 +34,8 @@ namespace whipple
   public:
     /// @param resumed what an earlier part of the run has written: files are cut back to that, the log goes on; null: a
     ///                new run
-    Reporter(const Scene<dim> &scene, const FieldLayout &layout, const std::string &directory, bool live,
-             MPI_Comm communicator, const RunBooks<dim> *resumed);
+    Reporter(const Problem<dim> &problem, const std::string &directory, bool live, MPI_Comm communicator,
+             const RunBooks<dim> *resumed);
 
     RunLog &
     log()
@@ -113,12 +114,13 @@ namespace whipple
     void
     let_watch(RunState<dim> &run, const Call &call);
 
-    const Scene<dim>  &scene_;
-    const FieldLayout &layout_;
-    std::string        directory_;
-    RunLog             log_;
-    StepTable          statistics_;
-    FieldOutput<dim>   fields_;
+    const Problem<dim> &problem_;
+    const Scene<dim>   &scene_;
+    const FieldLayout  &layout_;
+    std::string         directory_;
+    RunLog              log_;
+    StepTable           statistics_;
+    FieldOutput<dim>    fields_;
 
     std::vector<Watching> watching_;
   };

@@ -15,7 +15,7 @@ namespace whipple
   /// @throws InputError if the directory cannot be used
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  start(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator);
+  start(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator);
 
   /// A run from the newest sound checkpoint in its directory, or from the start if it had not come to one. Checkpoints
   /// that are damaged are named in the log. Collective.
@@ -23,7 +23,7 @@ namespace whipple
   ///         what may change
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  go_on(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator);
+  go_on(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator);
 
   /// A parameter whose value in force is another than it was.
   struct ChangedParameter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/diagnostics/measure.h>
+#include <whipple/problem/problem.h>
 #include <whipple/run/checkpointing.h>
 #include <whipple/run/handover.h>
 #include <whipple/run/last_good.h>
@@ -26,11 +27,11 @@ namespace whipple
   {
   public:
     /// Collective, as all that is not const.
-    Simulation(const Scene<dim> &scene, const RunPlace &place, MPI_Comm communicator);
+    Simulation(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator);
 
     /// Go on where a checkpoint of this scene stopped (run/resume.h finds it).
     /// @throws checkpoint::Unusable if the fields cannot be read
-    Simulation(const Scene<dim> &scene, const RunPlace &place, const std::string &checkpoint,
+    Simulation(const Problem<dim> &problem, const RunPlace &place, const std::string &checkpoint,
                const RunBooks<dim> &books, MPI_Comm communicator);
 
     /// Run all stages that are left. summary.json is written in any case.
@@ -66,7 +67,7 @@ namespace whipple
     }
 
   private:
-    Simulation(const Scene<dim> &scene, const RunPlace &place, const RunBooks<dim> *books, MPI_Comm communicator);
+    Simulation(const Problem<dim> &problem, const RunPlace &place, const RunBooks<dim> *books, MPI_Comm communicator);
 
     void
     run_stage();
@@ -88,8 +89,9 @@ namespace whipple
     void
     stopped(const Stage &stage, const StateError &error);
 
-    Scene<dim>         scene_;
-    FieldLayout        layout_;
+    Problem<dim>       problem_;
+    const Scene<dim>  &scene_;
+    const FieldLayout &layout_;
     std::string        directory_;
     Regridding<dim>    regridding_;
     Handover<dim>      handover_;

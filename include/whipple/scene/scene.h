@@ -2,18 +2,17 @@
 #pragma once
 
 #include <whipple/effect/effect_parameters.h>
-#include <whipple/effect/scene_outlook.h>
-#include <whipple/exact/exact_solution.h>
+#include <whipple/effect/effect_verdict.h>
 #include <whipple/hydro/hydro_parameters.h>
-#include <whipple/material/material_factory.h>
+#include <whipple/material/material_request.h>
+#include <whipple/mesh/bonds.h>
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/mesh/mesh_map.h>
-#include <whipple/projection/intact_cells.h>
-#include <whipple/scene/prm_statements.h>
+#include <whipple/projection/projection_parameters.h>
 #include <whipple/scene/shape.h>
 #include <whipple/scene/stage_end.h>
-#include <whipple/state/velocity_gather.h>
+#include <whipple/state/kinetic_loss.h>
 
 #include <cstddef>
 #include <limits>
@@ -23,21 +22,19 @@
 #include <string>
 #include <vector>
 
-/// What a .prm says, checked and in internal units (cm, g, us, Mbar): plain data, ready to run.
-/// The keys, units and defaults of every entry are in doc/scene_files.md.
+/// What a .prm says, checked and in internal units (cm, g, us, Mbar): plain data. What is built from it to run, models,
+/// solutions, fields, is the Problem (problem/problem.h). The keys, units and defaults of every entry are in
+/// doc/scene_files.md.
 namespace whipple
 {
   class RefinementCriterion;
   class Representation;
 
-  /// A material under the name the scene gives it. The models that the scene's effects leave out are null:
-  /// without the effect "strength" model.strength, without "voids" model.void_law.
+  /// A material under the name the scene gives it.
   struct SceneMaterial
   {
-    std::string     name;     ///< the scene's name; model.name is the library's
-    MaterialRequest request;  ///< models and constants, those of the library filled in (for exact solutions)
-    Material        complete; ///< all models the scene names, whatever its effects
-    Material        model;    ///< those that the effects leave on: what runs
+    std::string     name;    ///< the scene's name; request.library is the library's
+    MaterialRequest request; ///< models and constants, those of the library filled in
   };
 
   /// Energy put into one cell of a body before the run starts (point explosions).
@@ -53,7 +50,7 @@ namespace whipple
   {
     uniform,    ///< one density, energy and velocity
     exact,      ///< those of the scene's exact solution at that time
-    expressions ///< functions of the coordinates, Body::field
+    expressions ///< functions of the coordinates
   };
 
   /// A body as it enters the scene, without void and stress.
@@ -68,9 +65,6 @@ namespace whipple
     double                            density = 0; ///< g/cm^3; exact: the material's at rest; expressions: the mean
     double                            energy  = 0; ///< specific internal energy, Mbar cm^3/g; expressions: the mean
     std::optional<EnergyDeposit<dim>> deposit;
-
-    /// Density, energy and velocity where expressions give them; else null.
-    std::shared_ptr<const exact::ExactSolution<dim>> field;
 
     /// Whether it has one state: density, energy and velocity above.
     bool
@@ -95,21 +89,32 @@ namespace whipple
     std::optional<std::size_t> behind; ///< only cells beyond the rear face of this body (as it entered the scene)
   };
 
+  /// What a stage says whose mesh moves.
+  struct LagrangianStage
+  {
+    Cohesion      cohesion = Cohesion::bonded;
+    BreakCriteria breaking; ///< graded cohesion
+    DebrisEntry   debris;   ///< where the stage follows an Eulerian one
+  };
+
   /// One link of the chain.
   struct Stage
   {
     std::string                     name;
-    StageMode                       mode = StageMode::eulerian;
     std::vector<std::size_t>        introduces; ///< indices of bodies that enter at its start
     std::shared_ptr<const StageEnd> end;
     double                          max_time_step       = std::numeric_limits<double>::infinity(); ///< us
     KineticLoss                     lost_kinetic_energy = KineticLoss::heat; ///< by remap and projection
+    /// What the elements of a Lagrangian stage before it are laid down as.
+    std::shared_ptr<const Representation> representation;
 
-    Cohesion      cohesion = Cohesion::bonded; ///< Lagrangian stages
-    BreakCriteria breaking;                    ///< graded cohesion
-    DebrisEntry   debris;                      ///< Lagrangian stages that follow an Eulerian one
+    std::optional<LagrangianStage> lagrangian; ///< none: the mesh is fixed
 
-    std::shared_ptr<const Representation> representation; ///< Eulerian stages that follow a Lagrangian one
+    StageMode
+    mode() const
+    {
+      return lagrangian ? StageMode::lagrangian : StageMode::eulerian;
+    }
   };
 
   enum class Refinement
@@ -160,7 +165,7 @@ namespace whipple
     int error_estimate_levels = 0; ///< cell sizes, the scene's own included, that error bars are taken from; 0: none
   };
 
-  /// What an extra section (scene/extra_section.h) says; its owner knows what it is.
+  /// What an extra section (problem/extra_section.h) says; its owner knows what it is.
   struct SectionContent
   {
     virtual ~SectionContent() = default;
@@ -185,8 +190,6 @@ namespace whipple
     std::vector<Stage>                      stages; ///< at least one
     Numerics                                numerics;
     OutputControl                           output;
-
-    std::shared_ptr<const exact::ExactSolution<dim>> exact; ///< what errors are measured against; null: nothing
 
     std::map<std::string, std::shared_ptr<const SectionContent>>
         extra; ///< by the name of the section; those that are used
@@ -223,22 +226,4 @@ namespace whipple
       return square;
     }
   };
-
-  /// Read a scene file, apply overrides ("Section/Sub/Name = value", the last one wins), check everything. A section
-  /// Study (scene/study_section.h) must be well formed and is left out.
-  /// @throws InputError one line naming file (or option), key, value and what is allowed.
-  template <int dim>
-  Scene<dim>
-  read_scene(const std::string &file, const std::vector<std::string> &overrides = {});
-
-  /// The same with overrides that know where they come from, so that messages lead there.
-  template <int dim>
-  Scene<dim>
-  read_varied_scene(const std::string &file, const std::vector<PrmStatement> &overrides);
-
-  /// Write Scene::effective_parameters to a file.
-  /// @throws Error if it cannot be written.
-  template <int dim>
-  void
-  write_effective_parameters(const Scene<dim> &scene, const std::string &path);
 } // namespace whipple

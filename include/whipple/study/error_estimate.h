@@ -2,7 +2,7 @@
 #pragma once
 
 #include <whipple/diagnostics/result_table.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 
 #include <map>
 #include <string>
@@ -21,8 +21,8 @@ namespace whipple
   /// The scenes that go with `scene` (which was read from that file with these overrides), coarsest first: cells 2, 4
   /// ... times its own, levels fitted so that the domain stays what it is, no field files.
   /// @throws InputError naming Output/Error estimate if the scene cannot be set on such cells.
-  std::vector<Scene<2>>
-  coarser_scenes(const Scene<2> &scene, const std::vector<std::string> &overrides);
+  std::vector<Problem<2>>
+  coarser_problems(const Scene<2> &scene, const std::vector<std::string> &overrides);
 
   /// Error bars of the finest level's results (convergence::estimate): numbers with error, verdicts (yes or no) with
   /// "the same on all cells" or "flips".

@@ -2,7 +2,7 @@
 #include <whipple/effect/effect.h>
 #include <whipple/error.h>
 #include <whipple/material/material_factory.h>
-#include <whipple/scene/material_effects.h>
+#include <whipple/problem/material_effects.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -37,7 +37,8 @@ namespace whipple::sections
   } // namespace
 
   void
-  check_effects(const std::vector<SceneMaterial> &materials, const std::vector<std::string> &effects)
+  check_effects(const std::vector<SceneMaterial> &materials, const std::vector<MaterialModels> &models,
+                const std::vector<std::string> &effects)
   {
     for (const EffectDescription &effect : effect_descriptions())
       {
@@ -53,8 +54,8 @@ namespace whipple::sections
       }
     const auto                 is_on = [&](const std::string &name) { return contains(effects, name); };
     std::vector<NamedMaterial> complete;
-    for (const SceneMaterial &material : materials)
-      complete.push_back({material.name, material.complete});
+    for (std::size_t m = 0; m < models.size(); ++m)
+      complete.push_back({materials[m].name, models[m].complete});
     for (const EffectDescription &effect : effect_descriptions())
       if (effect.check)
         effect.check(complete, is_on);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/problem/problem_sections.h>
 #include <whipple/scene/sections.h>
 
 #include <array>
@@ -28,19 +29,20 @@ namespace whipple::sections
     /// Pressure and sound speed of a body as it enters.
     template <int dim>
     std::array<double, 2>
-    pressure_and_sound(const Body<dim> &body, const Scene<dim> &scene)
+    pressure_and_sound(const Body<dim> &body, const Problem<dim> &problem)
     {
       const std::array<double, 1> density{body.density}, energy{body.energy};
       std::array<double, 1>       pressure{}, square{};
-      scene.materials[body.material].model.eos->evaluate(density, energy, pressure, square);
+      problem.materials[body.material].model.eos->evaluate(density, energy, pressure, square);
       return {pressure[0], std::sqrt(std::max(square[0], 0.))};
     }
 
     /// The medium beyond one side: the bodies that touch it, which must agree in pressure and velocity.
     template <int dim>
     void
-    read_medium(const SceneSection &section, int side, Scene<dim> &scene)
+    read_medium(const SceneSection &section, int side, Problem<dim> &problem)
     {
+      Scene<dim>      &scene    = problem.scene;
       Boundary<dim>   &boundary = scene.boundaries[side];
       const Body<dim> *first    = nullptr;
       boundary.medium.assign(scene.materials.size(), {});
@@ -52,7 +54,7 @@ namespace whipple::sections
             section.reject(side_names[side], "body '" + body.name +
                                                  "' touches this side and is not uniform; allowed are bodies whose "
                                                  "pressure and velocity are the same everywhere");
-          const auto [pressure, sound] = pressure_and_sound(body, scene);
+          const auto [pressure, sound] = pressure_and_sound(body, problem);
           if (!first)
             {
               first             = &body;
@@ -80,14 +82,14 @@ namespace whipple::sections
 
   template <int dim>
   void
-  read_side_media(SceneParameters &parameters, Scene<dim> &scene)
+  read_side_media(SceneParameters &parameters, Problem<dim> &problem)
   {
     const SceneSection section(parameters, "Geometry");
     for (int side = 0; side < 2 * dim; ++side)
-      if (scene.boundaries[side].keeps_ambient)
-        read_medium(section, side, scene);
+      if (problem.scene.boundaries[side].keeps_ambient)
+        read_medium(section, side, problem);
   }
 
   template void
-  read_side_media(SceneParameters &, Scene<2> &);
+  read_side_media(SceneParameters &, Problem<2> &);
 } // namespace whipple::sections

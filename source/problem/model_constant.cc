@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/scene/model_constant.h>
+#include <whipple/problem/model_constant.h>
 
 #include <cmath>
 #include <limits>

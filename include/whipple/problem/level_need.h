@@ -2,7 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/scene/scene.h>
+#include <whipple/problem/field_layout.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -18,7 +18,7 @@ namespace whipple
   class LevelNeed
   {
   public:
-    explicit LevelNeed(const Scene<dim> &scene);
+    LevelNeed(const Scene<dim> &scene, const FieldLayout &layout);
 
     /// Level that material of a solid fraction s = sum V_m (1 - phi_m) / sum V_m needs: the finest if it is dense,
     /// whatever part of the cell it fills, one level less below MeshControl::solid_fraction, one more for each factor
@@ -49,7 +49,8 @@ namespace whipple
     bool
     is_quiet(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, Index cell) const;
 
-    const Scene<dim> &scene_;
-    int               quiet_levels_; ///< that undisturbed material gives up
+    const Scene<dim>  &scene_;
+    const FieldLayout &layout_;
+    int                quiet_levels_; ///< that undisturbed material gives up
   };
 } // namespace whipple

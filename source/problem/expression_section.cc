@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/scene/expression_section.h>
-#include <whipple/scene/expression_state.h>
+#include <whipple/problem/expression_section.h>
+#include <whipple/problem/expression_state.h>
 #include <whipple/scene/plausible.h>
 
 #include <algorithm>
@@ -271,7 +271,7 @@ namespace whipple::sections
   }
 
   template <int dim>
-  void
+  std::shared_ptr<const exact::ExactSolution<dim>>
   read_expressions(const SceneSection &section, const Scene<dim> &scene, Body<dim> &body)
   {
     const std::vector<std::string> given = given_expressions(section);
@@ -279,7 +279,7 @@ namespace whipple::sections
       {
         if (section.given(coordinate_unit))
           section.reject(coordinate_unit, "needs an expression");
-        return;
+        return nullptr;
       }
     if (scene.mesh_map != MeshMap::identity)
       section.reject(given[0], "on a mapped mesh bodies are given on the lattice; allowed is an exact solution, or "
@@ -292,12 +292,12 @@ namespace whipple::sections
                                                                     read_parts<dim>(section, scene.lattice.symmetry));
     check_values(section, scene, body, *field);
     take_means(scene, *field, body);
-    body.field         = field;
     body.initial_state = InitialState::expressions;
+    return field;
   }
 
   template void
   reject_doubles(const SceneSection &, const Body<2> &);
-  template void
+  template std::shared_ptr<const exact::ExactSolution<2>>
   read_expressions(const SceneSection &, const Scene<2> &, Body<2> &);
 } // namespace whipple::sections

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/key_arithmetic.h>
-#include <whipple/refinement/level_need.h>
-#include <whipple/scene/refinement_criterion.h>
+#include <whipple/problem/level_need.h>
+#include <whipple/refinement/refinement_criterion.h>
 
 #include <algorithm>
 #include <array>
@@ -47,8 +47,9 @@ namespace whipple
   } // namespace
 
   template <int dim>
-  LevelNeed<dim>::LevelNeed(const Scene<dim> &scene)
+  LevelNeed<dim>::LevelNeed(const Scene<dim> &scene, const FieldLayout &layout)
     : scene_(scene)
+    , layout_(layout)
     , quiet_levels_(quiet_levels(scene))
   {
   }
@@ -76,7 +77,7 @@ namespace whipple
         return finest;
     std::array<double, 1>       pressure{}, sound_speed_squared{};
     const std::array<double, 1> density{body.density}, energy{body.energy};
-    scene_.materials[body.material].model.eos->evaluate(density, energy, pressure, sound_speed_squared);
+    layout_.materials[body.material].eos->evaluate(density, energy, pressure, sound_speed_squared);
     const double weak = body.density * std::sqrt(std::max(sound_speed_squared[0], 0.)) * scene_.mesh.quiet_velocity;
     return std::abs(pressure[0]) <= weak ? std::max(0, finest - quiet_levels_) : finest;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
-#include <whipple/scene/effect_forecast.h>
+#include <whipple/problem/effect_forecast.h>
 
 #include <algorithm>
 #include <map>
@@ -11,12 +11,13 @@ namespace whipple
   {
     template <int dim>
     SceneOutlook
-    outlook_of(const Scene<dim> &scene)
+    outlook_of(const Problem<dim> &problem)
     {
-      SceneOutlook outlook;
-      for (const SceneMaterial &material : scene.materials)
-        outlook.materials.push_back({material.name, material.complete});
-      outlook.encounter       = extreme_encounters(scene);
+      SceneOutlook      outlook;
+      const Scene<dim> &scene = problem.scene;
+      for (std::size_t m = 0; m < scene.materials.size(); ++m)
+        outlook.materials.push_back({scene.materials[m].name, problem.materials[m].complete});
+      outlook.encounter       = extreme_encounters(problem);
       outlook.joined_duration = joined_duration(scene);
       outlook.finest_cell     = scene.lattice.spacing;
       std::map<std::size_t, int> bodies;
@@ -25,7 +26,7 @@ namespace whipple
         outlook.bodies_alike = std::max(outlook.bodies_alike, ++bodies[body.material]);
       outlook.flies_as_elements = scene.stages.size() > 1 &&
                                   std::any_of(scene.stages.begin(), scene.stages.end(),
-                                              [](const Stage &stage) { return stage.mode == StageMode::lagrangian; });
+                                              [](const Stage &stage) { return stage.mode() == StageMode::lagrangian; });
       return outlook;
     }
 
@@ -52,9 +53,9 @@ namespace whipple
 
   template <int dim>
   std::vector<EffectVerdict>
-  forecast_effects(const Scene<dim> &scene)
+  forecast_effects(const Problem<dim> &problem)
   {
-    const SceneOutlook         outlook = outlook_of(scene);
+    const SceneOutlook         outlook = outlook_of(problem);
     std::vector<EffectVerdict> verdicts;
     for (const EffectDescription &effect : effect_descriptions())
       {
@@ -78,5 +79,5 @@ namespace whipple
   }
 
   template std::vector<EffectVerdict>
-  forecast_effects(const Scene<2> &);
+  forecast_effects(const Problem<2> &);
 } // namespace whipple

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/problem/void_law_check.h>
 #include <whipple/scene/body_volume.h>
 #include <whipple/scene/box_shape.h>
-#include <whipple/scene/void_law_check.h>
 #include <whipple/state/round_off_share.h>
 
 #include <cmath>
@@ -54,21 +54,22 @@ namespace whipple::sections
 
   template <int dim>
   void
-  check_void_laws(SceneParameters &parameters, const Scene<dim> &scene)
+  check_void_laws(SceneParameters &parameters, const Problem<dim> &problem)
   {
+    const Scene<dim>        &scene = problem.scene;
     std::vector<std::size_t> entered;
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
       {
         const Stage &stage = scene.stages[s];
         entered.insert(entered.end(), stage.introduces.begin(), stage.introduces.end());
-        if (s == 0 || stage.mode != StageMode::lagrangian || scene.stages[s - 1].mode != StageMode::eulerian ||
-            stage.debris.void_cutoff < round_off_share || can_be_full(scene, entered))
+        if (s == 0 || stage.mode() != StageMode::lagrangian || scene.stages[s - 1].mode() != StageMode::eulerian ||
+            stage.lagrangian->debris.void_cutoff < round_off_share || can_be_full(scene, entered))
           continue;
         for (const std::size_t b : entered)
           {
-            const SceneMaterial &material = scene.materials[scene.bodies[b].material];
-            if (!material.model.void_law)
-              SceneSection(parameters, "Materials/" + material.name)
+            const std::size_t material = scene.bodies[b].material;
+            if (!problem.materials[material].model.void_law)
+              SceneSection(parameters, "Materials/" + scene.materials[material].name)
                   .reject("Void law",
                           "stage '" + stage.name +
                               "' goes over from a fixed mesh to a moving one, whose "
@@ -79,5 +80,5 @@ namespace whipple::sections
   }
 
   template void
-  check_void_laws(SceneParameters &, const Scene<2> &);
+  check_void_laws(SceneParameters &, const Problem<2> &);
 } // namespace whipple::sections

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/output/duration.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/scene_warnings.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/scene_warnings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,13 +34,13 @@ namespace whipple
     /// Largest signal speed that a body is likely to have: its sound speed and the largest velocity of the scene.
     template <int dim>
     double
-    signal_speed(const Scene<dim> &scene)
+    signal_speed(const Problem<dim> &problem)
     {
       double sound = 0, speed = 0;
-      for (const Body<dim> &body : scene.bodies)
+      for (const Body<dim> &body : problem.scene.bodies)
         {
           double density[1]{body.density}, energy[1]{body.energy}, pressure[1]{}, sound_2[1]{}, square = 0;
-          scene.materials[body.material].model.eos->evaluate(density, energy, pressure, sound_2);
+          problem.materials[body.material].model.eos->evaluate(density, energy, pressure, sound_2);
           sound = std::max(sound, std::sqrt(std::max(sound_2[0], 0.)));
           for (const double v : body.velocity)
             square += v * v;
@@ -52,9 +52,10 @@ namespace whipple
 
   template <int dim>
   CostEstimate
-  estimate_cost(const Scene<dim> &scene)
+  estimate_cost(const Problem<dim> &problem)
   {
-    const double              cell = scene.lattice.spacing, signal = signal_speed(scene);
+    const Scene<dim>         &scene = problem.scene;
+    const double              cell = scene.lattice.spacing, signal = signal_speed(problem);
     const std::vector<double> times = stage_times(scene);
     CostEstimate              result;
     double                    present = 0; // cells of what is in the scene
@@ -62,8 +63,8 @@ namespace whipple
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
       {
         const Stage &stage    = scene.stages[s];
-        const bool   eulerian = stage.mode == StageMode::eulerian;
-        if (s > 0 && !eulerian && scene.stages[s - 1].mode == StageMode::eulerian)
+        const bool   eulerian = stage.mode() == StageMode::eulerian;
+        if (s > 0 && !eulerian && scene.stages[s - 1].mode() == StageMode::eulerian)
           present = debris_growth * moving; // the rest is dropped
         for (const std::size_t b : stage.introduces)
           {
@@ -91,10 +92,10 @@ namespace whipple
   {
     template <int dim>
     std::vector<std::string>
-    cost(const Scene<dim> &scene)
+    cost(const Problem<dim> &problem)
     {
       constexpr double   much_memory = 1e9, much_time = 3600.;
-      const CostEstimate estimate = estimate_cost(scene);
+      const CostEstimate estimate = estimate_cost(problem);
       const std::string  because  = " (" + rounded(estimate.cells) + " cells, " + rounded(estimate.steps) + " steps)";
       std::vector<std::string> lines;
       if (estimate.bytes > much_memory)
@@ -106,9 +107,9 @@ namespace whipple
     }
 
     template std::vector<std::string>
-    cost(const Scene<2> &);
+    cost(const Problem<2> &);
   } // namespace warnings
 
   template CostEstimate
-  estimate_cost(const Scene<2> &);
+  estimate_cost(const Problem<2> &);
 } // namespace whipple

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/scene_warnings.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/scene_warnings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,12 +81,11 @@ namespace whipple::warnings
           lines.push_back("stage '" + stage.name + "' waits until something reaches body '" +
                           scene.bodies[*awaited].name + "', but of what is there nothing moves towards it (" +
                           km_per_s(fastest) + " at most): it cannot end");
-        const bool selects =
-            s > 0 && stage.mode == StageMode::lagrangian && scene.stages[s - 1].mode == StageMode::eulerian;
-        if (selects && stage.debris.minimum_axial_velocity > 0 && fastest < stage.debris.minimum_axial_velocity)
-          lines.push_back("stage '" + stage.name + "' drops what is slower than " +
-                          km_per_s(stage.debris.minimum_axial_velocity) + ", and the fastest body moves with " +
-                          km_per_s(fastest) + ": nothing will be left");
+        const bool   selects = s > 0 && stage.lagrangian && !scene.stages[s - 1].lagrangian;
+        const double least   = selects ? stage.lagrangian->debris.minimum_axial_velocity : 0.;
+        if (least > 0 && fastest < least)
+          lines.push_back("stage '" + stage.name + "' drops what is slower than " + km_per_s(least) +
+                          ", and the fastest body moves with " + km_per_s(fastest) + ": nothing will be left");
       }
     return lines;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/scene/expression_state.h>
+#include <whipple/problem/expression_state.h>
 
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/exact/exact_factory.h>
+#include <whipple/problem/problem_sections.h>
 #include <whipple/scene/sections.h>
 #include <whipple/scene/sphere_shape.h>
 
@@ -68,13 +69,13 @@ namespace whipple::sections
 
     template <int dim>
     exact::BodyState<dim>
-    body_state(const Scene<dim> &scene, const Body<dim> &body)
+    body_state(const Problem<dim> &problem, const Body<dim> &body)
     {
-      const SceneMaterial  &material = scene.materials[body.material];
+      const Scene<dim>     &scene = problem.scene;
       exact::BodyState<dim> state;
       state.name      = body.name;
-      state.material  = material.model;
-      state.constants = material.request;
+      state.material  = problem.materials[body.material].model;
+      state.constants = scene.materials[body.material].request;
       Box<dim> box    = extent(body.shape);
       for (int d = 0; d < dim; ++d)
         {
@@ -114,9 +115,10 @@ namespace whipple::sections
   }
 
   template <int dim>
-  std::shared_ptr<const exact::ExactSolution<dim>>
-  read_exact_solution(SceneParameters &parameters, const Scene<dim> &scene)
+  void
+  read_exact_solution(SceneParameters &parameters, Problem<dim> &problem)
   {
+    const Scene<dim>                   &scene = problem.scene;
     const SceneSection                  section(parameters, path);
     const std::vector<exact::ExactKind> kinds = exact::exact_kinds<dim>();
     std::vector<std::string>            names{"none"};
@@ -131,7 +133,7 @@ namespace whipple::sections
     request.start     = section.quantity("Start time", units::time);
     request.constants = read_constants(section, kinds, kind);
     if (!kind)
-      return nullptr;
+      return;
     request.duration      = run_duration(scene.stages);
     request.symmetry      = scene.lattice.symmetry;
     const Box<dim> domain = scene.mapped_box({scene.lattice.origin, scene.upper_corner()});
@@ -140,14 +142,14 @@ namespace whipple::sections
     request.boundaries    = scene.boundaries;
     for (const Body<dim> &body : scene.bodies)
       {
-        request.bodies.push_back(body_state(scene, body));
+        request.bodies.push_back(body_state(problem, body));
         if (request.bodies.back().inside && !kind->any_shape)
           section.reject("Name", "takes bodies as boxes; body '" + body.name +
                                      "' is neither box nor plate nor sphere, or turned; allowed are those");
       }
     try
       {
-        return exact::make_exact_solution<dim>(request);
+        problem.exact = exact::make_exact_solution<dim>(request);
       }
     catch (const InputError &error)
       {
@@ -157,26 +159,27 @@ namespace whipple::sections
 
   template <int dim>
   void
-  check_initial_states(SceneParameters &parameters, const Scene<dim> &scene)
+  check_initial_states(SceneParameters &parameters, const Problem<dim> &problem)
   {
-    for (const Body<dim> &body : scene.bodies)
-      if (body.initial_state == InitialState::exact && !scene.exact)
+    for (const Body<dim> &body : problem.scene.bodies)
+      if (body.initial_state == InitialState::exact && !problem.exact)
         SceneSection(parameters, "Bodies/" + body.name)
             .reject("Initial state", "the scene names no exact solution; set Exact solution/Name");
   }
 
   template <int dim>
   void
-  drive_sides(SceneParameters &parameters, Scene<dim> &scene)
+  drive_sides(SceneParameters &parameters, Problem<dim> &problem)
   {
+    Scene<dim> &scene = problem.scene;
     for (int side = 0; side < 2 * dim; ++side)
       {
         if (scene.boundaries[side].kind != BoundaryKind::exact)
           continue;
-        if (!scene.exact)
+        if (!problem.exact)
           SceneSection(parameters, "Geometry")
               .reject(side_names[side], "the scene names no exact solution; set Exact solution/Name");
-        scene.boundaries[side].motion = [solution = scene.exact](const Vector<dim> &x, double time) {
+        scene.boundaries[side].motion = [solution = problem.exact](const Vector<dim> &x, double time) {
           const Vector<dim> velocity = solution->at(x, time).velocity;
           for (const double component : velocity)
             if (std::isnan(component))
@@ -192,9 +195,9 @@ namespace whipple::sections
   }
 
   template void
-  drive_sides(SceneParameters &, Scene<2> &);
-  template std::shared_ptr<const exact::ExactSolution<2>>
-  read_exact_solution(SceneParameters &, const Scene<2> &);
+  drive_sides(SceneParameters &, Problem<2> &);
   template void
-  check_initial_states(SceneParameters &, const Scene<2> &);
+  read_exact_solution(SceneParameters &, Problem<2> &);
+  template void
+  check_initial_states(SceneParameters &, const Problem<2> &);
 } // namespace whipple::sections

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/scene/expression_section.h>
-#include <whipple/scene/material_effects.h>
+#include <whipple/problem/expression_section.h>
+#include <whipple/problem/material_effects.h>
+#include <whipple/problem/problem_sections.h>
 #include <whipple/scene/plausible.h>
-#include <whipple/scene/sections.h>
 #include <whipple/scene/shape_section.h>
 
 namespace whipple::sections
@@ -69,9 +69,10 @@ namespace whipple::sections
     }
 
     template <int dim>
-    Body<dim>
-    read_body(SceneParameters &parameters, const std::string &name, const Scene<dim> &scene)
+    void
+    read_body(SceneParameters &parameters, const std::string &name, Problem<dim> &problem)
     {
+      Scene<dim>              &scene = problem.scene;
       const SceneSection       section(parameters, path + "/" + name);
       std::vector<std::string> materials;
       for (const SceneMaterial &material : scene.materials)
@@ -87,18 +88,20 @@ namespace whipple::sections
       if (body.initial_state == InitialState::exact)
         {
           check_exact(section, body);
-          body.density = scene.materials[body.material].model.eos->reference_density();
-          return body;
+          body.density = problem.materials[body.material].model.eos->reference_density();
+          scene.bodies.push_back(body);
+          problem.body_field.push_back(nullptr);
+          return;
         }
       reject_doubles<dim>(section, body);
-      read_state(section, scene.materials[body.material].model, body);
-      read_expressions(section, scene, body);
+      read_state(section, problem.materials[body.material].model, body);
+      problem.body_field.push_back(read_expressions(section, scene, body));
       if (section.given("Deposited energy"))
         body.deposit = EnergyDeposit<dim>{section.positive("Deposited energy", units::energy),
                                           section.vector<dim>("Deposit point", units::length)};
       else if (section.given("Deposit point"))
         section.reject("Deposit point", "needs a deposited energy");
-      return body;
+      scene.bodies.push_back(body);
     }
   } // namespace
 
@@ -124,18 +127,16 @@ namespace whipple::sections
   }
 
   template <int dim>
-  std::vector<Body<dim>>
-  read_bodies(SceneParameters &parameters, const Scene<dim> &scene)
+  void
+  read_bodies(SceneParameters &parameters, Problem<dim> &problem)
   {
-    const SceneSection     section(parameters, path);
-    std::vector<Body<dim>> bodies;
+    const SceneSection section(parameters, path);
     for (const std::string &name : section.list("List"))
-      bodies.push_back(read_body<dim>(parameters, name, scene));
-    if (bodies.empty())
+      read_body(parameters, name, problem);
+    if (problem.scene.bodies.empty())
       section.reject("List", "must be given; allowed are one or more names, each with its subsection");
-    return bodies;
   }
 
-  template std::vector<Body<2>>
-  read_bodies(SceneParameters &, const Scene<2> &);
+  template void
+  read_bodies(SceneParameters &, Problem<2> &);
 } // namespace whipple::sections

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/problem/material_models.h>
 #include <whipple/scene/scene.h>
 
 #include <string>
@@ -12,7 +13,8 @@ namespace whipple::sections
   /// Effects must have a model to work with, and must not contradict each other.
   /// @throws InputError one line: the effect and what it needs.
   void
-  check_effects(const std::vector<SceneMaterial> &materials, const std::vector<std::string> &effects);
+  check_effects(const std::vector<SceneMaterial> &materials, const std::vector<MaterialModels> &models,
+                const std::vector<std::string> &effects);
 
   /// Void fraction that the material's bodies enter with; 0 without a void law.
   double

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/scene/section.h>
 
 namespace whipple::sections
@@ -13,5 +13,5 @@ namespace whipple::sections
   /// @throws InputError
   template <int dim>
   void
-  check_void_laws(SceneParameters &parameters, const Scene<dim> &scene);
+  check_void_laws(SceneParameters &parameters, const Problem<dim> &problem);
 } // namespace whipple::sections

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/exact/exact_solution.h>
 #include <whipple/scene/scene.h>
 #include <whipple/scene/section.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,9 +24,10 @@ namespace whipple::sections
   void
   reject_doubles(const SceneSection &section, const Body<dim> &body);
 
-  /// Give a body, complete with its uniform state, the state of its expressions: field, and their means for whoever
-  /// asks for one density, energy or velocity. Nothing happens where there is no expression. Needs the scene's lattice.
+  /// Give a body, complete with its uniform state, the means of its expressions, for whoever asks for one density,
+  /// energy or velocity. Needs the scene's lattice.
+  /// @returns the state that they describe; null where there is no expression, and nothing happens
   template <int dim>
-  void
+  std::shared_ptr<const exact::ExactSolution<dim>>
   read_expressions(const SceneSection &section, const Scene<dim> &scene, Body<dim> &body);
 } // namespace whipple::sections

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
 #include <whipple/error.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/material_effects.h>
+#include <whipple/problem/model_constant.h>
+#include <whipple/problem/problem_sections.h>
 #include <whipple/projection/representation.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/material_effects.h>
-#include <whipple/scene/model_constant.h>
-#include <whipple/scene/refinement_criterion.h>
-#include <whipple/scene/sections.h>
+#include <whipple/refinement/refinement_criterion.h>
 
 #include <algorithm>
 
@@ -131,12 +131,13 @@ namespace whipple::sections
 
   template <int dim>
   void
-  read_effects(SceneParameters &parameters, Scene<dim> &scene)
+  read_effects(SceneParameters &parameters, Problem<dim> &problem)
   {
+    Scene<dim>                    &scene = problem.scene;
     const SceneSection             section(parameters, path);
     const std::vector<std::string> listed = read_list(section);
     if (contains(listed, automatic))
-      scene.effect_verdicts = forecast_effects(scene);
+      scene.effect_verdicts = forecast_effects(problem);
     else
       for (const std::string &name : effect_names())
         scene.effect_verdicts.push_back({name, false, {}, "not listed by the scene"});
@@ -149,8 +150,8 @@ namespace whipple::sections
       }
     try
       {
-        check_effects(scene.materials, scene.effects);
-        for (SceneMaterial &material : scene.materials)
+        check_effects(scene.materials, problem.materials, scene.effects);
+        for (MaterialModels &material : problem.materials)
           material.model = with_effects(material.complete, scene.effects);
       }
     catch (const InputError &error)
@@ -165,5 +166,5 @@ namespace whipple::sections
   }
 
   template void
-  read_effects<2>(SceneParameters &, Scene<2> &);
+  read_effects<2>(SceneParameters &, Problem<2> &);
 } // namespace whipple::sections

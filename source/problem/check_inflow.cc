@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/exact/riemann.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/inflow_check.h>
-#include <whipple/scene/material_effects.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/inflow_check.h>
+#include <whipple/problem/material_effects.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
@@ -31,9 +31,9 @@ namespace whipple::sections
     /// recedes), as half of the impact of two such bodies; 0 if there is no such wave.
     template <int dim>
     double
-    sound_behind_wall(const Scene<dim> &scene, const Body<dim> &body, double velocity)
+    sound_behind_wall(const Problem<dim> &problem, const Body<dim> &body, double velocity)
     {
-      const Material &material = scene.materials[body.material].model;
+      const Material &material = problem.materials[body.material].model;
       const double    density  = body.density / (1. - initial_void_fraction(material)); // what crushed pores leave
       try
         {
@@ -51,10 +51,11 @@ namespace whipple::sections
 
   template <int dim>
   void
-  check_inflow(SceneParameters &parameters, const Scene<dim> &scene)
+  check_inflow(SceneParameters &parameters, const Problem<dim> &problem)
   {
-    const auto fixed = std::find_if(scene.stages.begin(), scene.stages.end(),
-                                    [](const Stage &stage) { return stage.mode == StageMode::eulerian; });
+    const Scene<dim> &scene = problem.scene;
+    const auto        fixed = std::find_if(scene.stages.begin(), scene.stages.end(),
+                                           [](const Stage &stage) { return stage.mode() == StageMode::eulerian; });
     if (fixed == scene.stages.end())
       return;
     for (int side = 0; side < 2 * dim; ++side)
@@ -68,7 +69,7 @@ namespace whipple::sections
           const double closing = inwards - (side % 2 == 0 ? 1. : -1.) * body.velocity[axis];
           if (inwards <= 0 || std::abs(closing) <= touching * inwards) // what enters is what is there
             continue;
-          const double sound = sound_behind_wall(scene, body, closing);
+          const double sound = sound_behind_wall(problem, body, closing);
           if (sound > 0 && inwards >= sound)
             SceneSection(parameters, "Geometry")
                 .reject(side_names[side],
@@ -81,5 +82,5 @@ namespace whipple::sections
   }
 
   template void
-  check_inflow(SceneParameters &, const Scene<2> &);
+  check_inflow(SceneParameters &, const Problem<2> &);
 } // namespace whipple::sections

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace whipple
   /// All of the below, in this order.
   template <int dim>
   std::vector<std::string>
-  scene_warnings(const Scene<dim> &scene);
+  scene_warnings(const Problem<dim> &problem);
 
   namespace warnings
   {
@@ -35,12 +35,12 @@ namespace whipple
     /// Johnson-Cook damage whose fit has no ductility left within its own range.
     template <int dim>
     std::vector<std::string>
-    damage_without_ductility(const Scene<dim> &scene);
+    damage_without_ductility(const Problem<dim> &problem);
 
     /// Memory above 1 GB, time above 1 h.
     template <int dim>
     std::vector<std::string>
-    cost(const Scene<dim> &scene);
+    cost(const Problem<dim> &problem);
   } // namespace warnings
 
   /// What a run is likely to take, on one core.
@@ -54,7 +54,7 @@ namespace whipple
 
   template <int dim>
   CostEstimate
-  estimate_cost(const Scene<dim> &scene);
+  estimate_cost(const Problem<dim> &problem);
 
   /// When stages start and the last one ends, us: fixed times from the scene, a wait for the leading edge from the way
   /// and the speed of the fastest body (infinite if nothing moves there). One entry more than there are stages.

@@ -2,8 +2,8 @@
 #include <whipple/error.h>
 #include <whipple/exact/isentrope.h>
 #include <whipple/exact/riemann.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/material_effects.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/material_effects.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,13 +64,13 @@ namespace whipple
     /// What one material suffers from the pressure of first contact, which changes its velocity by `jump`.
     template <int dim>
     void
-    add_body(const Body<dim> &body, const SceneMaterial &material, double jump, Encounter &encounter)
+    add_body(const Body<dim> &body, const Problem<dim> &problem, double jump, Encounter &encounter)
     {
-      const Material         &model = material.complete;
+      const Material         &model = problem.materials[body.material].complete;
       const exact::FluidPoint rest  = exact::fluid_point(*model.eos, body.density, body.energy);
       if (const double yield = yield_stress(model, rest); yield > 0)
         encounter.stress = std::min(encounter.stress, encounter.pressure / yield);
-      const double spall = material.request.constant_or("Spall strength", 0.);
+      const double spall = problem.scene.materials[body.material].request.constant_or("Spall strength", 0.);
       if (model.void_law)
         encounter.tension = std::max(encounter.tension, spall > 0 ? encounter.pressure / spall : infinity);
       if (model.thermal)
@@ -85,24 +85,25 @@ namespace whipple
 
     template <int dim>
     Encounter
-    meet(const Scene<dim> &scene, const Body<dim> &a, const Body<dim> &b, double speed)
+    meet(const Problem<dim> &problem, const Body<dim> &a, const Body<dim> &b, double speed)
     {
-      Encounter encounter;
-      encounter.stress          = infinity;
-      const SceneMaterial &of_a = scene.materials[a.material], &of_b = scene.materials[b.material];
-      encounter.of_solids =
-          of_a.request.equation_of_state != "ideal gas" && of_b.request.equation_of_state != "ideal gas";
+      const auto is_gas = [&](const Body<dim> &body) {
+        return problem.scene.materials[body.material].request.equation_of_state == "ideal gas";
+      };
+      const Material &of_a = problem.materials[a.material].complete, &of_b = problem.materials[b.material].complete;
+      Encounter       encounter;
+      encounter.stress    = infinity;
+      encounter.of_solids = !is_gas(a) && !is_gas(b);
       try
         {
-          for (const SceneMaterial *material : {&of_a, &of_b})
-            if (sections::initial_void_fraction(material->complete) > 0.)
+          for (const Material *material : {&of_a, &of_b})
+            if (sections::initial_void_fraction(*material) > 0.)
               throw StateError("porous: the shock is not that of the solid");
-          const exact::Riemann contact({of_a.complete.eos, a.density, speed, a.energy},
-                                       {of_b.complete.eos, b.density, 0., b.energy});
+          const exact::Riemann contact({of_a.eos, a.density, speed, a.energy}, {of_b.eos, b.density, 0., b.energy});
           encounter.pressure = contact.pressure();
           encounter.echo     = {{2. / (contact.fastest_left() + speed), 2. / contact.fastest_right()}};
-          add_body(a, of_a, speed - contact.velocity(), encounter);
-          add_body(b, of_b, contact.velocity(), encounter);
+          add_body(a, problem, speed - contact.velocity(), encounter);
+          add_body(b, problem, contact.velocity(), encounter);
         }
       catch (const StateError &)
         {
@@ -133,11 +134,11 @@ namespace whipple
     class Impacts
     {
     public:
-      explicit Impacts(const Scene<dim> &scene)
-        : scene_(scene)
+      explicit Impacts(const Problem<dim> &problem)
+        : problem_(problem)
       {
         std::map<std::tuple<std::size_t, double, double>, std::size_t> number;
-        for (const Body<dim> &body : scene.bodies)
+        for (const Body<dim> &body : problem.scene.bodies)
           state_.push_back(
               number.emplace(std::tuple(body.material, body.density, body.energy), number.size()).first->second);
       }
@@ -152,10 +153,10 @@ namespace whipple
       Encounter
       of(const Pair &pair)
       {
-        const Body<dim> &a = scene_.bodies[pair.a], &b = scene_.bodies[pair.b];
+        const Body<dim> &a = problem_.scene.bodies[pair.a], &b = problem_.scene.bodies[pair.b];
         const auto [known, is_new] = solved_.try_emplace({kind(pair), pair.speed});
         if (is_new)
-          known->second = meet(scene_, a, b, pair.speed);
+          known->second = meet(problem_, a, b, pair.speed);
         Encounter encounter   = known->second;
         encounter.description = a.name + " on " + b.name + " at " + rounded(10. * pair.speed) + " km/s";
         // the pressure ends when the wave has come back from the nearer free face
@@ -164,7 +165,7 @@ namespace whipple
       }
 
     private:
-      const Scene<dim>                                                           &scene_;
+      const Problem<dim>                                                         &problem_;
       std::vector<std::size_t>                                                    state_; ///< of each body
       std::map<std::pair<std::pair<std::size_t, std::size_t>, double>, Encounter> solved_;
     };
@@ -179,22 +180,22 @@ namespace whipple
 
   template <int dim>
   std::vector<Encounter>
-  encounters(const Scene<dim> &scene)
+  encounters(const Problem<dim> &problem)
   {
-    Impacts<dim>           impacts(scene);
+    Impacts<dim>           impacts(problem);
     std::vector<Encounter> all;
-    for_closing_pairs(scene, [&](const Pair &pair) { all.push_back(impacts.of(pair)); });
+    for_closing_pairs(problem.scene, [&](const Pair &pair) { all.push_back(impacts.of(pair)); });
     highest_first(all);
     return all;
   }
 
   template <int dim>
   std::vector<Encounter>
-  extreme_encounters(const Scene<dim> &scene)
+  extreme_encounters(const Problem<dim> &problem)
   {
-    Impacts<dim>                                                         impacts(scene);
+    Impacts<dim>                                                         impacts(problem);
     std::map<std::pair<std::size_t, std::size_t>, std::pair<Pair, Pair>> slowest_and_fastest;
-    for_closing_pairs(scene, [&](const Pair &pair) {
+    for_closing_pairs(problem.scene, [&](const Pair &pair) {
       auto &[slowest, fastest] = slowest_and_fastest.try_emplace(impacts.kind(pair), pair, pair).first->second;
       if (pair.speed < slowest.speed)
         slowest = pair;
@@ -229,16 +230,16 @@ namespace whipple
         const double end   = stage.end->expected({start, front, fastest});
         if (std::isfinite(end))
           time = end;
-        if (stage.mode == StageMode::eulerian || stage.cohesion != Cohesion::fragments)
+        if (!stage.lagrangian || stage.lagrangian->cohesion != Cohesion::fragments)
           joined += time - start;
       }
     return joined;
   }
 
   template std::vector<Encounter>
-  encounters(const Scene<2> &);
+  encounters(const Problem<2> &);
   template std::vector<Encounter>
-  extreme_encounters(const Scene<2> &);
+  extreme_encounters(const Problem<2> &);
   template double
   joined_duration(const Scene<2> &);
 } // namespace whipple

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/problem/extra_section.h>
+#include <whipple/problem/inflow_check.h>
+#include <whipple/problem/problem_sections.h>
+#include <whipple/problem/void_law_check.h>
 #include <whipple/scene/automatic_stages.h>
-#include <whipple/scene/extra_section.h>
-#include <whipple/scene/inflow_check.h>
 #include <whipple/scene/nearest_name.h>
 #include <whipple/scene/sections.h>
 #include <whipple/scene/study_section.h>
-#include <whipple/scene/void_law_check.h>
 
 #include <algorithm>
 #include <cctype>
@@ -111,27 +112,27 @@ namespace whipple
 
     template <int dim>
     void
-    read_extra(SceneParameters &parameters, Scene<dim> &scene)
+    read_extra(SceneParameters &parameters, Problem<dim> &problem)
     {
       for (const auto &[name, section] : ExtraSectionRegistry<dim>::all())
-        if (auto content = section.read(parameters, scene))
-          scene.extra[name] = std::move(content);
+        if (auto content = section.read(parameters, problem))
+          problem.scene.extra[name] = std::move(content);
     }
   } // namespace
 
   template <int dim>
-  Scene<dim>
-  read_scene(const std::string &file, const std::vector<std::string> &overrides)
+  Problem<dim>
+  read_problem(const std::string &file, const std::vector<std::string> &overrides)
   {
     std::vector<PrmStatement> statements;
     for (const std::string &text : overrides)
       statements.push_back(read_override(text));
-    return read_varied_scene<dim>(file, statements);
+    return read_varied_problem<dim>(file, statements);
   }
 
   template <int dim>
-  Scene<dim>
-  read_varied_scene(const std::string &file, const std::vector<PrmStatement> &overrides)
+  Problem<dim>
+  read_varied_problem(const std::string &file, const std::vector<PrmStatement> &overrides)
   {
     std::vector<PrmStatement> statements = read_prm_statements(file);
     statements.insert(statements.end(), overrides.begin(), overrides.end());
@@ -143,29 +144,31 @@ namespace whipple
     for (const PrmStatement &statement : statements)
       parameters.assign(statement);
 
-    Scene<dim> scene;
+    Problem<dim> problem;
+    Scene<dim>  &scene      = problem.scene;
     scene.file              = file;
     scene.title             = parameters.get("", "Title");
     const Vector<dim> upper = sections::read_geometry<dim>(parameters, scene);
     sections::read_mesh<dim>(parameters, upper, scene);
-    scene.materials = sections::read_materials(parameters);
-    scene.bodies    = sections::read_bodies<dim>(parameters, scene);
+    sections::read_materials(parameters, problem);
+    sections::read_bodies(parameters, problem);
     sections::check_bodies<dim>(parameters, scene);
-    sections::read_side_media<dim>(parameters, scene);
+    sections::read_side_media(parameters, problem);
     scene.stages = sections::read_stages<dim>(parameters, scene);
-    sections::read_effects<dim>(parameters, scene);
+    sections::read_effects(parameters, problem);
     scene.numerics = sections::read_numerics(parameters);
     scene.output   = sections::read_output(parameters);
     sections::check_mesh_map<dim>(parameters, scene);
-    scene.exact = sections::read_exact_solution<dim>(parameters, scene);
-    sections::check_initial_states<dim>(parameters, scene);
-    sections::drive_sides<dim>(parameters, scene);
-    sections::check_inflow<dim>(parameters, scene);
-    sections::check_void_laws<dim>(parameters, scene);
-    read_extra(parameters, scene);
+    sections::read_exact_solution(parameters, problem);
+    sections::check_initial_states(parameters, problem);
+    sections::drive_sides(parameters, problem);
+    sections::check_inflow(parameters, problem);
+    sections::check_void_laws(parameters, problem);
+    problem.layout = FieldLayout(scene, problem.materials);
+    read_extra(parameters, problem);
     scene.effective_parameters =
         parameters.print([&](const std::string &section) { return is_listed(parameters, section); });
-    return scene;
+    return problem;
   }
 
   template <int dim>
@@ -178,10 +181,10 @@ namespace whipple
       throw Error(path + ": cannot be written");
   }
 
-  template Scene<2>
-  read_scene(const std::string &, const std::vector<std::string> &);
-  template Scene<2>
-  read_varied_scene(const std::string &, const std::vector<PrmStatement> &);
+  template Problem<2>
+  read_problem(const std::string &, const std::vector<std::string> &);
+  template Problem<2>
+  read_varied_problem(const std::string &, const std::vector<PrmStatement> &);
   template void
   write_effective_parameters(const Scene<2> &, const std::string &);
 } // namespace whipple

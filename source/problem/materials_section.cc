@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/material/material_factory.h>
 #include <whipple/material/material_library.h>
-#include <whipple/scene/model_constant.h>
-#include <whipple/scene/sections.h>
+#include <whipple/problem/model_constant.h>
+#include <whipple/problem/problem_sections.h>
 
 #include <algorithm>
 
@@ -95,26 +96,29 @@ namespace whipple::sections
       }
   }
 
-  std::vector<SceneMaterial>
-  read_materials(SceneParameters &parameters)
+  template <int dim>
+  void
+  read_materials(SceneParameters &parameters, Problem<dim> &problem)
   {
-    std::vector<SceneMaterial> materials;
     for (const std::string &name : SceneSection(parameters, path).list("List"))
       {
         const SceneSection section(parameters, path + "/" + name);
-        SceneMaterial      material{name, read_request(section, name), {}, {}};
+        SceneMaterial      material{name, read_request(section, name)};
+        Material           complete;
         try
           {
-            material.complete = make_material(material.request);
+            complete = make_material(material.request);
           }
         catch (const InputError &error)
           {
             section.reject("Equation of state", error.what());
           }
         fill_constants(section, material.request);
-        material.model = material.complete;
-        materials.push_back(material);
+        problem.scene.materials.push_back(material);
+        problem.materials.push_back({complete, complete});
       }
-    return materials;
   }
+
+  template void
+  read_materials(SceneParameters &, Problem<2> &);
 } // namespace whipple::sections

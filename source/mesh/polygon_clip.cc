@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/projection/polygon_clip.h>
+#include <whipple/mesh/polygon_clip.h>
 
 #include <algorithm>
 #include <numbers>

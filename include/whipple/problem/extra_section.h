@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/scene/scene.h>
+#include <whipple/problem/problem.h>
 #include <whipple/scene/section.h>
 
 #include <functional>
@@ -22,9 +22,9 @@ namespace whipple
     /// Declare the entries of one name's subsection.
     std::function<void(SceneSection &subsection)> declare;
 
-    /// Understand the section of a scene that is otherwise complete. Null if it names nothing.
+    /// Understand the section of a problem that is otherwise complete. Null if it names nothing.
     /// @throws InputError
-    std::function<std::shared_ptr<const SectionContent>(SceneParameters &parameters, const Scene<dim> &scene)> read;
+    std::function<std::shared_ptr<const SectionContent>(SceneParameters &parameters, const Problem<dim> &problem)> read;
   };
 
   /// All extra sections, by name ("Gauges"). Filled before main() by ExtraSectionRegistration; never changed

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/material/johnson_cook_damage.h>
-#include <whipple/scene/effect_forecast.h>
-#include <whipple/scene/scene_warnings.h>
+#include <whipple/problem/effect_forecast.h>
+#include <whipple/problem/scene_warnings.h>
 #include <whipple/scene/sphere_shape.h>
 #include <whipple/scene/units.h>
 
@@ -13,12 +13,14 @@ namespace whipple
 {
   template <int dim>
   std::vector<std::string>
-  scene_warnings(const Scene<dim> &scene)
+  scene_warnings(const Problem<dim> &problem)
   {
     std::vector<std::string> all;
-    for (const auto &kind : {warnings::resolution<dim>, warnings::endless_stages<dim>, warnings::leaving_matter<dim>,
-                             warnings::damage_without_ductility<dim>, warnings::cost<dim>})
-      for (const std::string &line : kind(scene))
+    for (const auto &kind : {warnings::resolution<dim>, warnings::endless_stages<dim>, warnings::leaving_matter<dim>})
+      for (const std::string &line : kind(problem.scene))
+        all.push_back(line);
+    for (const auto &kind : {warnings::damage_without_ductility<dim>, warnings::cost<dim>})
+      for (const std::string &line : kind(problem))
         all.push_back(line);
     return all;
   }
@@ -140,13 +142,13 @@ namespace whipple
 
     template <int dim>
     std::vector<std::string>
-    damage_without_ductility(const Scene<dim> &scene)
+    damage_without_ductility(const Problem<dim> &problem)
     {
       std::vector<std::string> lines;
-      for (const SceneMaterial &material : scene.materials)
-        if (const auto *damage = dynamic_cast<const JohnsonCookDamage *>(material.model.failure.get()))
+      for (std::size_t m = 0; m < problem.materials.size(); ++m)
+        if (const auto *damage = dynamic_cast<const JohnsonCookDamage *>(problem.materials[m].model.failure.get()))
           if (const auto triaxiality = damage->end_of_ductility())
-            lines.push_back("material '" + material.name +
+            lines.push_back("material '" + problem.scene.materials[m].name +
                             "': the fit of its Johnson-Cook damage has no ductility left where tension is above " +
                             rounded(*triaxiality) + " times the equivalent stress; beyond " +
                             rounded(damage->largest_triaxiality()) + " the strain at failure stays what it is there");
@@ -156,11 +158,11 @@ namespace whipple
     template std::vector<std::string>
     resolution(const Scene<2> &);
     template std::vector<std::string>
-    damage_without_ductility(const Scene<2> &);
+    damage_without_ductility(const Problem<2> &);
   } // namespace warnings
 
   template std::vector<std::string>
-  scene_warnings(const Scene<2> &);
+  scene_warnings(const Problem<2> &);
   template std::vector<double>
   stage_times(const Scene<2> &);
 } // namespace whipple
