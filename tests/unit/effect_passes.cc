@@ -144,7 +144,7 @@ namespace
     row.pass("failure")->advance(row.state, row.derived, row.before, 0.125);
 
     EXPECT_DOUBLE_EQ(recorder->density[0], 2.5);
-    EXPECT_DOUBLE_EQ(recorder->density[1], 2.5 / 0.6);
+    EXPECT_DOUBLE_EQ(recorder->density[1], 3.125);
     EXPECT_DOUBLE_EQ(recorder->density[2], 2.785);
     EXPECT_DOUBLE_EQ(recorder->pressure[0], 0.01);
     EXPECT_DOUBLE_EQ(recorder->pressure[1], -0.01);

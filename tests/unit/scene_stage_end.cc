@@ -145,7 +145,7 @@ namespace
     for (const double step : {0.003, 0.02})
       {
         FakeStage    stage;
-        const double end = run(*read("until debris is free of bumper"), stage, step);
+        const double end = run(*read("until debris is free of wall"), stage, step);
         EXPECT_GE(end, 1.1 * low * (1. - 1e-6));
         EXPECT_LE(end, 1.21 * low * (1. + 1e-6));
       }
