@@ -17,7 +17,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SIZES = ["distended", "0.01 cm", "0.02 cm", "0.05 cm", "0.1 cm", "0.2 cm", "model", "packages"]
 
 CASES = {
-    "four bumpers": ("prm/multi_plate.prm", ["perforation 2", "perforation 3", "perforation 4", "impact"], []),
+    "four bumpers": ("prm/multi_plate.prm", ["perforation 2", "perforation 3", "perforation 4", "impact"],
+                     ["Stages/impact/End = for 6 us"]),
     "single bumper": ("prm/whipple_shield.prm", ["wall"],
                       ["Effects/List = strength, voids, body tags, fragment size",
                        "Materials/aluminium/Fragments = grady-kipp", "Stages/wall/End = for 6 us"]),
@@ -28,6 +29,7 @@ HEAD = """# Debris with a size: what it changes
 What debris is when it meets the next plate decides whether the plate holds ([theory/fragments.md](theory/fragments.md)). The
 two scenes of the paper, with debris of different sizes. "distended" is dust, "packages" are solid triangles as large as the
 cells, "model" is the size of Grady and Kipp's formula, a length is the size of all fragments. Without melting: all is solid.
+The wall is looked at 6 us after the first debris has reached it.
 
 Made by `scripts/fragments_page.py build{options}`.
 """

@@ -14,7 +14,8 @@ namespace whipple
     ///
     /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
     /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free when its axial
-    /// momentum has grown by less than `share` between looks two apart (in the last sixth of the time), twice in a row;
+    /// momentum has grown by less than `share` between looks two apart (in the last sixth of the time), with no
+    /// more than the part `waiting` of it still before the plate, twice in a row;
     /// a hand-over in the middle of it would be a different one for every mesh. The memory holds the time of the next
     /// look, how often it was quiet, and the momenta of the last two looks.
     class EndWhenDebrisIsFree : public StageEnd
@@ -60,8 +61,10 @@ namespace whipple
         if (past < memory[0] * (1. - 1e-9))
           return {memory[0] - past, stage.time() + memory[0] - past};
         const double momentum = stage.beyond(rear_, velocity_).momentum;
-        const bool   quiet    = memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
-        memory                = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum};
+        const double all      = stage.beyond(-std::numeric_limits<double>::infinity(), velocity_).momentum;
+        const bool   quiet =
+            memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum && all - momentum <= waiting * momentum;
+        memory = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum};
         if (memory[1] >= 2.)
           return {0., stage.time()};
         return {memory[0] - past, stage.time() + memory[0] - past};
@@ -69,7 +72,7 @@ namespace whipple
 
     private:
       static constexpr double growth = 1.1;
-      static constexpr double share  = 0.01;
+      static constexpr double share = 0.01, waiting = 0.02;
 
       std::string name_;
       double      rear_;     ///< of the plate, cm
