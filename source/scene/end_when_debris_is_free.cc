@@ -13,11 +13,11 @@ namespace whipple
     /// When a plate has been perforated and gives no more momentum to, or takes it from, the debris behind it.
     ///
     /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
-    /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free when its axial
-    /// momentum has grown by less than `share` between looks two apart (in the last sixth of the time), with no
-    /// more than the part `waiting` of it still before the plate, twice in a row;
-    /// a hand-over in the middle of it would be a different one for every mesh. The memory holds the time of the next
-    /// look, how often it was quiet, and the momenta of the last two looks.
+    /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free once half of the
+    /// momentum of what is that fast is beyond the plate, and grows there by less than `share` between looks two apart
+    /// (in the last sixth of the time), twice in a row; at the latest at `longest` times the time of that half. The
+    /// memory holds the time of the next look, how often it was quiet, the momenta of the last two looks, and the time
+    /// of the half (0: not yet).
     class EndWhenDebrisIsFree : public StageEnd
     {
     public:
@@ -56,23 +56,29 @@ namespace whipple
             const double step = stage.finest_cell() / std::max(fastest, velocity_);
             if (!(past > 0) || !(stage.beyond(rear_, velocity_).momentum > 0))
               return {step, stage.time() + 10. * step};
-            memory = {past * growth, 0., 0., 0.};
+            memory = {past * growth, 0., 0., 0., 0.};
           }
         if (past < memory[0] * (1. - 1e-9))
           return {memory[0] - past, stage.time() + memory[0] - past};
         const double momentum = stage.beyond(rear_, velocity_).momentum;
         const double all      = stage.beyond(-std::numeric_limits<double>::infinity(), velocity_).momentum;
-        const bool   quiet =
-            memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum && all - momentum <= waiting * momentum;
-        memory = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum};
-        if (memory[1] >= 2.)
+        if (!(all > 0))
+          throw StateError("nothing flies on from '" + name_ + "', the chain of stages ends here: after " +
+                           std::to_string(past) + " us nothing in the domain is faster than " +
+                           std::to_string(velocity_) + " cm/us");
+        if (memory[4] == 0 && momentum >= 0.5 * all)
+          memory[4] = past;
+        const bool through = memory[4] > 0;
+        const bool quiet   = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
+        memory             = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
+        if (memory[1] >= 2. || (through && past >= longest * memory[4]))
           return {0., stage.time()};
         return {memory[0] - past, stage.time() + memory[0] - past};
       }
 
     private:
       static constexpr double growth = 1.1;
-      static constexpr double share = 0.01, waiting = 0.02;
+      static constexpr double share = 0.01, longest = 8.;
 
       std::string name_;
       double      rear_;     ///< of the plate, cm

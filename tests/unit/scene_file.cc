@@ -165,8 +165,10 @@ namespace
               EXPECT_EQ(again.stages[s].introduces, scene.stages[s].introduces);
               ASSERT_EQ(again.stages[s].mode(), scene.stages[s].mode());
               if (const auto &moving = scene.stages[s].lagrangian)
-                EXPECT_EQ(again.stages[s].lagrangian->debris.minimum_axial_velocity,
-                          moving->debris.minimum_axial_velocity);
+                {
+                  EXPECT_EQ(again.stages[s].lagrangian->debris.minimum_axial_velocity,
+                            moving->debris.minimum_axial_velocity);
+                }
             }
           ++scenes;
         }

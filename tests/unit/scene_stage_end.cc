@@ -43,10 +43,10 @@ namespace
       return 0.5;
     }
     Debris
-    beyond(double, double) const override
+    beyond(double plane, double) const override
     {
-      // nothing for 0.1 us, then momentum that tends to 1
-      return {1., now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau)};
+      // beyond the plate nothing for 0.1 us, then momentum that tends to 1; 1 in all
+      return {1., plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau)};
     }
     std::map<std::string, double>
     watched() const override
