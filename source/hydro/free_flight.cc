@@ -14,13 +14,6 @@ namespace whipple
     /// Pressure, as a part of rho c^2, that is next to nothing: it can give a velocity of 1e-4 c.
     constexpr double little_stress = 1e-4;
 
-    double
-    true_volume(Symmetry symmetry, const geometry::Quad &x)
-    {
-      return symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
-                                          : geometry::volume<Symmetry::axisymmetric>(x);
-    }
-
     /// Times in (0, dt) at which a polynomial a + b t + c t^2 + d t^3, given by its values at 0, dt/3, 2 dt/3 and dt,
     /// has an extremum, and dt.
     std::array<double, 3>
@@ -52,7 +45,7 @@ namespace whipple
     stays_open(const FlatMesh<2> &mesh, const State<2> &state, Index cell, double dt)
     {
       const auto at = [&](double t) {
-        return true_volume(mesh.symmetry, cell_shape::corners_after(mesh, state, cell, t));
+        return geometry::volume(mesh.symmetry, cell_shape::corners_after(mesh, state, cell, t));
       };
       double least = state.volume[cell];
       for (const double t : times_to_look({at(0.), at(dt / 3.), at(2. * dt / 3.), at(dt)}, dt))
@@ -169,7 +162,7 @@ namespace whipple
         state.position[d][n] += dt * state.velocity[d][n];
     for (Index c = 0; c < mesh.n_cells; ++c)
       {
-        const double volume = true_volume(mesh.symmetry, cell_shape::corners_after(mesh, state, c, 0.));
+        const double volume = geometry::volume(mesh.symmetry, cell_shape::corners_after(mesh, state, c, 0.));
         const double growth = volume / state.volume[c];
         for (MaterialState &m : state.material)
           if (m.volume[c] > 0)

@@ -89,14 +89,6 @@ namespace whipple
       return work;
     }
 
-    /// Volume of one cell from the positions of its nodes.
-    template <int dim>
-    double
-    cell_volume(const FlatMesh<dim> &mesh, const geometry::Quad &x)
-    {
-      return mesh.symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
-                                               : geometry::volume<Symmetry::axisymmetric>(x);
-    }
   } // namespace
 
   template <int dim>
@@ -111,7 +103,7 @@ namespace whipple
         for (int k = 0; k < 4; ++k)
           for (int d = 0; d < dim; ++d)
             x[d][k] = state.position[d][mesh.cell_node[cell * 4 + k]];
-        state.volume[cell] = cell_volume(mesh, x);
+        state.volume[cell] = geometry::volume(mesh.symmetry, x);
         if (cell < mesh.n_owned && !(state.volume[cell] > 0))
           throw StateError("cell " + std::to_string(cell) + " (key " + std::to_string(mesh.key[cell]) +
                            ") has volume " + std::to_string(state.volume[cell]) + " cm^3");

@@ -34,8 +34,7 @@ namespace whipple
           for (int d = 0; d < dim; ++d)
             for (int k = 0; k < FlatMesh<dim>::corners; ++k)
               x[d][k] = mesh.node_point[d][mesh.cell_node[FlatMesh<dim>::corners * c + k]];
-          volume[c] = mesh.symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
-                                                        : geometry::volume<Symmetry::axisymmetric>(x);
+          volume[c] = geometry::volume(mesh.symmetry, x);
         }
       return volume;
     }

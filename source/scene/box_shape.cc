@@ -14,8 +14,7 @@ namespace whipple
   box_volume(Symmetry symmetry, const Vector<2> &lower, const Vector<2> &upper)
   {
     const geometry::Quad quad{{{{lower[0], upper[0], lower[0], upper[0]}}, {{lower[1], lower[1], upper[1], upper[1]}}}};
-    return symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(quad)
-                                        : geometry::volume<Symmetry::axisymmetric>(quad);
+    return geometry::volume(symmetry, quad);
   }
 
   std::vector<Vector<2>>

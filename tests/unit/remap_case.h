@@ -56,8 +56,7 @@ namespace remap_case
     for (int d = 0; d < 2; ++d)
       for (int k = 0; k < 4; ++k)
         x[d][k] = state.position[d][mesh.cell_node[4 * c + k]];
-    return mesh.symmetry == Symmetry::planar ? whipple::geometry::volume<Symmetry::planar>(x)
-                                             : whipple::geometry::volume<Symmetry::axisymmetric>(x);
+    return whipple::geometry::volume(mesh.symmetry, x);
   }
 
   /// Empty state at rest on the undeformed mesh; every material has phi and one field of each carrier.

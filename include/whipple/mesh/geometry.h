@@ -46,6 +46,12 @@ namespace whipple::geometry
     return sum;
   }
 
+  inline double
+  volume(Symmetry symmetry, const Quad &x)
+  {
+    return symmetry == Symmetry::planar ? volume<Symmetry::planar>(x) : volume<Symmetry::axisymmetric>(x);
+  }
+
   /// dV/dx of every corner: the corner vectors B_k on which a pressure works, [axis][corner].
   template <Symmetry symmetry, typename Number = double>
   inline QuadOf<Number>
