@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/plate_pieces.h>
+#include <whipple/mesh/disjoint_sets.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace whipple
 {
@@ -55,15 +55,6 @@ namespace whipple
         }
     }
 
-    /// The smallest cell of the set that a cell belongs to.
-    int
-    find(std::vector<int> &parent, int c)
-    {
-      while (parent[c] != c)
-        c = parent[c] = parent[parent[c]];
-      return c;
-    }
-
     /// What is known of a piece, under the index of its smallest cell.
     struct Piece
     {
@@ -109,13 +100,10 @@ namespace whipple
     for (int axis = 0; axis < 2; ++axis)
       mark_thin(image, axis, solid);
 
-    std::vector<int> parent(n);
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets joined(n);
     image.for_each_contact([&](int a, int b) {
-      if (!solid[a] || !solid[b])
-        return;
-      const auto [low, high] = std::minmax({find(parent, a), find(parent, b)});
-      parent[high]           = low;
+      if (solid[a] && solid[b])
+        joined.unite(a, b);
     });
 
     PlatePieces        result{std::vector<int>(n, none), std::vector<bool>(n, false)};
@@ -124,7 +112,7 @@ namespace whipple
       if (solid[c])
         {
           const PlateCell &cell = cells[c];
-          result.piece[c]       = find(parent, c);
+          result.piece[c]       = static_cast<int>(joined.root(c));
           Piece &piece          = pieces[result.piece[c]];
           piece.reach           = piece.mass == 0 ? std::array<int, 2>{{cell.lower[0], cell.upper(0)}}
                                                   : std::array<int, 2>{{std::min(piece.reach[0], cell.lower[0]),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/mesh/disjoint_sets.h>
 #include <whipple/projection/group_parcels.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <numeric>
 
 namespace whipple::projection
 {
@@ -31,35 +32,6 @@ namespace whipple::projection
         }
       return true;
     }
-
-    /// Sets that grow together; the root of a set is its smallest number.
-    class Sets
-    {
-    public:
-      explicit Sets(std::size_t size)
-        : root_(size)
-      {
-        std::iota(root_.begin(), root_.end(), Index{0});
-      }
-
-      Index
-      root(Index i)
-      {
-        while (root_[i] != i)
-          i = root_[i] = root_[root_[i]];
-        return i;
-      }
-
-      void
-      unite(Index i, Index j)
-      {
-        const auto [low, high] = std::minmax({root(i), root(j)}); // of values: references would dangle
-        root_[high]            = low;
-      }
-
-    private:
-      std::vector<Index> root_;
-    };
 
     /// Square bins as large as the largest parcel: those that touch lie in the same bin or in one beside it.
     class Bins
@@ -212,15 +184,15 @@ namespace whipple::projection
   {
     if (parcels.empty())
       return {};
-    const Bins bins(parcels);
-    Sets       sets(parcels.size());
-    const auto is_dense = [&](Index i) { return parcels[i].solid > dense * parcels[i].area(); };
+    const Bins   bins(parcels);
+    DisjointSets sets(parcels.size());
+    const auto   is_dense = [&](Index i) { return parcels[i].solid > dense * parcels[i].area(); };
     for (Index i = 0; i < static_cast<Index>(parcels.size()); ++i)
       bins.for_each_near(i, [&](Index j) {
         if (j < i && is_dense(i) == is_dense(j) && touch(parcels[i], parcels[j]))
           sets.unite(i, j);
       });
-    std::map<Index, ParcelGroup> groups;
+    std::map<std::size_t, ParcelGroup> groups;
     for (Index i = 0; i < static_cast<Index>(parcels.size()); ++i)
       groups[sets.root(i)].push_back(i);
     std::vector<ParcelGroup> result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/collective.h>
+#include <whipple/mesh/disjoint_sets.h>
 #include <whipple/mesh/gather.h>
 #include <whipple/run/contact.h>
 #include <whipple/run/contact_search.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -99,14 +99,13 @@ namespace whipple
         pieces_.erase(end, pieces_.end());
         for (std::size_t i = 0; i < pieces_.size(); ++i)
           number_[pieces_[i].key] = i;
-        root_.resize(pieces_.size());
-        std::iota(root_.begin(), root_.end(), std::size_t{0});
+        cluster_ = DisjointSets(pieces_.size());
         for (const Pair &pair : pairs)
-          unite(number_[pair.a.key], number_[pair.b.key]);
+          cluster_.unite(number_[pair.a.key], number_[pair.b.key]);
         meets_.assign(pieces_.size(), false);
         for (const Pair &pair : pairs)
           if (pair.approaching)
-            meets_[root(number_[pair.a.key])] = true;
+            meets_[cluster_.root(number_[pair.a.key])] = true;
         add_up();
       }
 
@@ -120,9 +119,9 @@ namespace whipple
       of(CellKey key, double mass, Motion &result) const
       {
         const auto found = number_.find(key);
-        if (found == number_.end() || !meets_[find(found->second)])
+        if (found == number_.end() || !meets_[cluster_.root(found->second)])
           return nullptr;
-        const Sum &sum  = sum_[find(found->second)];
+        const Sum &sum  = sum_[cluster_.root(found->second)];
         result.velocity = sum.velocity;
         result.heat     = mass / sum.mass * sum.lost;
         return &result;
@@ -132,8 +131,8 @@ namespace whipple
       count() const
       {
         long n = 0;
-        for (std::size_t i = 0; i < root_.size(); ++i)
-          n += root_[i] == i && meets_[i];
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+          n += cluster_.is_root(i) && meets_[i];
         return n;
       }
 
@@ -141,8 +140,8 @@ namespace whipple
       joined() const
       {
         long n = 0;
-        for (std::size_t i = 0; i < root_.size(); ++i)
-          n += meets_[find(i)];
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+          n += meets_[cluster_.root(i)];
         return n;
       }
 
@@ -151,8 +150,8 @@ namespace whipple
       impulse() const
       {
         Vector<2> sum{};
-        for (std::size_t i = 0; i < root_.size(); ++i)
-          if (root_[i] == i && meets_[i])
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+          if (cluster_.is_root(i) && meets_[i])
             for (int d = 0; d < 2; ++d)
               sum[d] += sum_[i].impulse[d];
         return sum;
@@ -162,36 +161,10 @@ namespace whipple
       struct Sum
       {
         double        mass = 0;
-        Vector<2>     momentum{}, velocity{}, impulse{};
+        Vector<2>     velocity{}, impulse{};
         double        lost = 0;
         std::uint64_t held = 0;
       };
-
-      std::size_t
-      find(std::size_t i) const
-      {
-        while (root_[i] != i)
-          i = root_[i];
-        return i;
-      }
-
-      std::size_t
-      root(std::size_t i)
-      {
-        const std::size_t top = find(i);
-        while (root_[i] != top)
-          i = std::exchange(root_[i], top);
-        return top;
-      }
-
-      void
-      unite(std::size_t i, std::size_t j)
-      {
-        i = root(i);
-        j = root(j);
-        if (i != j)
-          root_[std::max(i, j)] = std::min(i, j);
-      }
 
       /// Sums in the order of keys; differences to the first velocity, so that equal ones keep their bits.
       void
@@ -200,19 +173,19 @@ namespace whipple
         sum_.resize(pieces_.size());
         for (std::size_t i = 0; i < pieces_.size(); ++i)
           {
-            Sum &sum = sum_[find(i)];
+            Sum &sum = sum_[cluster_.root(i)];
             sum.mass += pieces_[i].mass;
             sum.held |= pieces_[i].held;
           }
         for (std::size_t i = 0; i < pieces_.size(); ++i)
           {
-            Sum         &sum   = sum_[find(i)];
-            const Piece &first = pieces_[find(i)];
+            Sum         &sum   = sum_[cluster_.root(i)];
+            const Piece &first = pieces_[cluster_.root(i)];
             for (int d = 0; d < 2; ++d)
               sum.velocity[d] += pieces_[i].mass / sum.mass * (pieces_[i].velocity[d] - first.velocity[d]);
           }
         for (std::size_t i = 0; i < pieces_.size(); ++i)
-          if (root_[i] == i)
+          if (cluster_.is_root(i))
             for (int d = 0; d < 2; ++d)
               {
                 sum_[i].velocity[d] += pieces_[i].velocity[d];
@@ -224,7 +197,7 @@ namespace whipple
               }
         for (std::size_t i = 0; i < pieces_.size(); ++i)
           {
-            Sum &sum = sum_[find(i)];
+            Sum &sum = sum_[cluster_.root(i)];
             sum.lost += pieces_[i].relative;
             for (int d = 0; d < 2; ++d)
               {
@@ -234,11 +207,11 @@ namespace whipple
           }
       }
 
-      std::vector<Piece>                       pieces_; ///< ordered by key
-      std::unordered_map<CellKey, std::size_t> number_; ///< of a piece by its key
-      std::vector<std::size_t>                 root_;  ///< of each piece: the first of its cluster, or on the way there
-      std::vector<bool>                        meets_; ///< of the first of a cluster: some of its pieces approach
-      std::vector<Sum>                         sum_;   ///< of the first of a cluster
+      std::vector<Piece>                       pieces_;     ///< ordered by key
+      std::unordered_map<CellKey, std::size_t> number_;     ///< of a piece by its key
+      DisjointSets                             cluster_{0}; ///< of pieces; its root is the first of them
+      std::vector<bool>                        meets_;      ///< of the first of a cluster: some of its pieces approach
+      std::vector<Sum>                         sum_;        ///< of the first of a cluster
     };
 
     /// Let the elements of clusters move as one.
