@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/projection/to_lagrangian.h>
+#include <whipple/state/copy_cell.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <whipple/error.h>
@@ -37,29 +38,6 @@ namespace whipple
       constexpr double round_off = 1e-12;
       const double     fraction  = filled / state.volume[cell];
       return fraction > 1. - round_off && fraction < 1. + round_off ? 1. : fraction;
-    }
-
-    template <int dim>
-    void
-    copy_cell(const State<dim> &source, Index from, State<dim> &target, Index to)
-    {
-      constexpr int corners = 1 << dim;
-      for (int k = 0; k < corners; ++k)
-        target.corner_weight[to * corners + k] = source.corner_weight[from * corners + k];
-      target.volume[to] = source.volume[from];
-      for (std::size_t m = 0; m < source.material.size(); ++m)
-        {
-          const MaterialState &a = source.material[m];
-          MaterialState       &b = target.material[m];
-          b.volume[to]           = a.volume[from];
-          b.mass[to]             = a.mass[from];
-          b.density[to]          = a.density[from];
-          b.energy[to]           = a.energy[from];
-          if (a.has_voids())
-            b.void_fraction[to] = a.void_fraction[from];
-          for (std::size_t f = 0; f < a.fields.size(); ++f)
-            b.fields[f].value[to] = a.fields[f].value[from];
-        }
     }
 
     /// Fold open void into the voids of the materials; gamma stays.

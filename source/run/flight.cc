@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/free_flight.h>
 #include <whipple/ledger/totals.h>
-#include <whipple/mesh/collective.h>
 #include <whipple/run/flight.h>
+#include <whipple/state/copy_cell.h>
 
 namespace whipple
 {
@@ -15,30 +15,16 @@ namespace whipple
                  State<dim> &to, Index target)
     {
       constexpr int corners = FlatMesh<dim>::corners;
+      copy_cell(from, source, to, target);
       for (int k = 0; k < corners; ++k)
         {
           const Index a = from_mesh.cell_node[source * corners + k], b = to_mesh.cell_node[target * corners + k];
-          to.node_mass[b]                        = from.node_mass[a];
-          to.corner_weight[target * corners + k] = from.corner_weight[source * corners + k];
+          to.node_mass[b] = from.node_mass[a];
           for (int d = 0; d < dim; ++d)
             {
               to.position[d][b] = from.position[d][a];
               to.velocity[d][b] = from.velocity[d][a];
             }
-        }
-      to.volume[target] = from.volume[source];
-      for (std::size_t m = 0; m < from.material.size(); ++m)
-        {
-          const MaterialState &a = from.material[m];
-          MaterialState       &b = to.material[m];
-          b.volume[target]       = a.volume[source];
-          b.mass[target]         = a.mass[source];
-          b.density[target]      = a.density[source];
-          b.energy[target]       = a.energy[source];
-          if (a.has_voids())
-            b.void_fraction[target] = a.void_fraction[source];
-          for (std::size_t f = 0; f < a.fields.size(); ++f)
-            b.fields[f].value[target] = a.fields[f].value[source];
         }
     }
   } // namespace
@@ -48,7 +34,6 @@ namespace whipple
     : view_(domain.view)
     , state_(std::move(domain.state))
   {
-    const MPI_Comm            communicator = domain.communicator();
     std::vector<std::uint8_t> active(domain.forest.leaves().size(), 0);
     for (Index c = 0; c < view_->mesh.n_owned; ++c)
       if (!flies[c])
@@ -56,9 +41,8 @@ namespace whipple
           of_stepped_.push_back(c);
           active[view_->leaf_of_cell[c]] = 1;
         }
-    stepped_ = static_cast<long>(sum_over_ranks(static_cast<double>(of_stepped_.size()), communicator));
-    totals_  = cell_sum(
-         view_->mesh, state_, [&](Index c) { return flies[c] != 0; }, communicator);
+    totals_ = cell_sum(
+        view_->mesh, state_, [&](Index c) { return flies[c] != 0; }, domain.communicator());
     domain.state.time = state_.time;
     domain.view       = domain.forest.flatten(active, 0, Cohesion::fragments);
     clear_state(layout, domain);

@@ -53,22 +53,23 @@ namespace whipple
       return false;
 
     const double until = domain.state.time + dt;
-    Flight<dim>  flight(layout_, flies, domain);
-    if (flight.stepped() > 0)
+    if (flying == static_cast<double>(cells_))
       {
-        use_mesh();
-        cycle_->evaluate(domain.state, domain.derived);
-        while (until - domain.state.time > round_off * until)
-          step(until - domain.state.time, &flight);
-      }
-    else
-      {
+        whipple::fly(domain.view->mesh, until - domain.state.time, domain.state);
         domain.state.time = until;
         ++run_.record().steps;
         ++run_.record().dt_limits["free flight"];
       }
-    flight.land(domain);
-    use_mesh();
+    else
+      {
+        Flight<dim> flight(layout_, flies, domain);
+        use_mesh();
+        cycle_->evaluate(domain.state, domain.derived);
+        while (until - domain.state.time > round_off * until)
+          step(until - domain.state.time, &flight);
+        flight.land(domain);
+        use_mesh();
+      }
     cycle_->evaluate(domain.state, domain.derived);
     check("free flight");
     return true;

@@ -28,13 +28,6 @@ namespace whipple
       return totals_;
     }
 
-    /// Elements that are not in flight, all ranks.
-    long
-    stepped() const
-    {
-      return stepped_;
-    }
-
     /// Move what is in flight to the time of the domain, and put it back beside what has been stepped.
     void
     land(Domain<dim> &domain);
@@ -44,6 +37,5 @@ namespace whipple
     State<dim>                                state_;      ///< of all, as it was
     std::vector<Index>                        of_stepped_; ///< cell of view_ of each owned cell that is stepped
     ConservedTotals<dim>                      totals_;
-    long                                      stepped_ = 0;
   };
 } // namespace whipple
