@@ -43,11 +43,12 @@ namespace whipple
     , mesh_(mesh)
     , halo_(halo)
     , lost_kinetic_energy_(stage.lost_kinetic_energy)
-    , rubble_void_(stage.lagrangian ? stage.lagrangian->breaking.void_fraction : 1.)
     , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
   {
     effects_ = make_passes<dim>(scene.effects, mesh, layout.materials, layout.fields, scene.effect_parameters);
-    if (stage.mode() == StageMode::eulerian)
+    if (stage.lagrangian)
+      rubble_void_ = stage.lagrangian->breaking.void_fraction;
+    else
       remap_.emplace(mesh, scene.boundaries, remap_parameters(scene.numerics, stage, layout.materials));
   }
 
@@ -63,8 +64,17 @@ namespace whipple
   void
   Cycle<dim>::evaluate(const State<dim> &state, Derived &derived)
   {
-    lagrange_.evaluate(state, derived);
-    soften_rubble(mesh_, state, rubble_void_, derived);
+    lagrange_.evaluate_pressure(state, derived);
+    evaluate_strength(state, derived);
+  }
+
+  template <int dim>
+  void
+  Cycle<dim>::evaluate_strength(const State<dim> &state, Derived &derived)
+  {
+    lagrange_.evaluate_strength(state, derived);
+    if (rubble_void_)
+      soften_rubble(mesh_, state, *rubble_void_, derived);
   }
 
   template <int dim>
@@ -191,8 +201,7 @@ namespace whipple
       lagrange_.evaluate_pressure(state, derived);
     else
       exchange_pressures(derived);
-    lagrange_.evaluate_strength(state, derived);
-    soften_rubble(mesh_, state, rubble_void_, derived);
+    evaluate_strength(state, derived);
     Bookings<dim> bookings = remap_ ? remap.bookings(lost_kinetic_energy_) : Bookings<dim>{};
     bookings += motion.bookings();
     bookings += effects_.books.bookings();

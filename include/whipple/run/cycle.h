@@ -70,6 +70,8 @@ namespace whipple
     run_passes(State<dim> &state, Derived &derived, double dt, const std::function<void()> &meet);
     void
     exchange(State<dim> &state) const;
+    void
+    evaluate_strength(const State<dim> &state, Derived &derived);
     /// Pressures and sound speeds in the halo: where those of the owned cells need no second evaluation.
     void
     exchange_pressures(Derived &derived) const;
@@ -78,7 +80,7 @@ namespace whipple
     const FlatMesh<dim>                 &mesh_;
     const Halo<dim>                     &halo_;
     KineticLoss                          lost_kinetic_energy_;
-    double                               rubble_void_; ///< void fraction above which elements of their own are rubble
+    std::optional<double>                rubble_void_; ///< Lagrangian stages: elements of their own are rubble above it
     LagrangeStep<dim>                    lagrange_;
     EffectPasses<dim>                    effects_; ///< that are on
     std::optional<DirectionalRemap<dim>> remap_;
