@@ -4,6 +4,7 @@
 #include <whipple/problem/effect_forecast.h>
 #include <whipple/problem/inflow_check.h>
 #include <whipple/problem/material_effects.h>
+#include <whipple/problem/touches_side.h>
 #include <whipple/scene/sections.h>
 
 #include <algorithm>
@@ -15,17 +16,6 @@ namespace whipple::sections
   {
     /// Part of the domain by which a body may miss a side that it touches.
     constexpr double touching = 1e-12;
-
-    template <int dim>
-    bool
-    touches(const Scene<dim> &scene, const Body<dim> &body, int side)
-    {
-      const int      axis = side / 2;
-      const Box<dim> box  = extent(body.shape);
-      const double   low = scene.lattice.origin[axis], high = scene.upper_corner()[axis];
-      const double   slack = touching * (high - low);
-      return side % 2 == 0 ? box.lower[axis] <= low + slack : box.upper[axis] >= high - slack;
-    }
 
     /// Speed of sound behind the wave that a plane wall drives into a body which it meets with this velocity (< 0: it
     /// recedes), as half of the impact of two such bodies; 0 if there is no such wave.
@@ -62,7 +52,7 @@ namespace whipple::sections
       for (const Body<dim> &body : scene.bodies)
         {
           const Boundary<dim> &boundary = scene.boundaries[side];
-          if (boundary.kind != BoundaryKind::inflow || !body.is_uniform() || !touches(scene, body, side))
+          if (boundary.kind != BoundaryKind::inflow || !body.is_uniform() || !touches_side(scene, body, side, touching))
             continue;
           const int    axis    = side / 2;
           const double inwards = (side % 2 == 0 ? 1. : -1.) * boundary.velocity[axis];

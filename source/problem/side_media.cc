@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/problem/problem_sections.h>
+#include <whipple/problem/touches_side.h>
 #include <whipple/scene/sections.h>
 
 #include <array>
@@ -13,18 +14,6 @@ namespace whipple::sections
     /// Distance from a side within which a body counts as touching it, and what media may differ in pressure and
     /// velocity by, relative to the domain, to rho c^2 and to c.
     constexpr double touching = 1e-9;
-
-    /// Whether a body, as it enters, reaches a side of the domain.
-    template <int dim>
-    bool
-    touches(const Body<dim> &body, const Scene<dim> &scene, int side)
-    {
-      const int         axis  = side / 2;
-      const Box<dim>    box   = extent(body.shape);
-      const Vector<dim> lower = scene.lattice.origin, upper = scene.upper_corner();
-      const double      slack = touching * (upper[axis] - lower[axis]);
-      return side % 2 ? box.upper[axis] >= upper[axis] - slack : box.lower[axis] <= lower[axis] + slack;
-    }
 
     /// Pressure and sound speed of a body as it enters.
     template <int dim>
@@ -48,7 +37,7 @@ namespace whipple::sections
       boundary.medium.assign(scene.materials.size(), {});
       for (const Body<dim> &body : scene.bodies)
         {
-          if (!touches(body, scene, side))
+          if (!touches_side(scene, body, side, touching))
             continue;
           if (!body.is_uniform() || body.deposit)
             section.reject(side_names[side], "body '" + body.name +
