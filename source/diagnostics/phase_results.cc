@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Temperature and phases at the end of every stage of a scene with the effect "melting".
-#include <whipple/diagnostics/measure.h>
 #include <whipple/diagnostics/phase_measure.h>
+#include <whipple/diagnostics/stage_table.h>
 
 namespace whipple
 {
@@ -16,27 +16,13 @@ namespace whipple
               {"temperature_99_K", measure.temperature_99}};
     }
 
-    template <int dim>
-    class Phases : public Measure<dim>
-    {
-    public:
-      void
-      stage_ends(const MeasureView<dim> &view, MeasureReport &report) const override
-      {
-        if (view.scene.has_effect("melting"))
-          report.results[view.scene.stages[view.stage].name].merge(
-              phase_results(measure_phases(view.layout, view.mesh, view.state, view.communicator)));
-      }
-
-      void
-      expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
-      {
-        if (problem.scene.has_effect("melting"))
-          for (const Stage &stage : problem.scene.stages)
-            results[stage.name].merge(phase_results({}));
-      }
-    };
-
-    const MeasureRegistration<2> registration(20, "phases", std::make_shared<Phases<2>>());
+    const MeasureRegistration<2> registration(20, "phases",
+                                              std::make_shared<StageTable<2>>(
+                                                  "melting",
+                                                  [](const MeasureView<2> &view) {
+                                                    return phase_results(measure_phases(view.layout, view.mesh,
+                                                                                        view.state, view.communicator));
+                                                  },
+                                                  phase_results({})));
   } // namespace
 } // namespace whipple
