@@ -51,39 +51,21 @@ namespace whipple::projection
     /// An element cut in two, before its materials are laid out.
     struct CutElement
     {
-      ElementPieces pieces;      ///< triangles, mass, volume
-      Motion        as_given;    ///< of both triangles at unit density, with the velocities of the corners
-      Vector<2>     mean{};      ///< velocity of the corner masses, cm/us
-      double        kinetic = 0; ///< of the corner masses about it, and what they do not show, Mbar cm^3
+      ElementPieces pieces;   ///< triangles, mass, volume
+      Motion        as_given; ///< of both triangles at unit density, with the velocities of the corners
+      Motion        motion;   ///< of the corner masses
     };
 
     CutElement
     cut(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
     {
-      CutElement     result;
-      ElementPieces &pieces = result.pieces;
-      geometry::Quad x      = element.position, u;
-      for (int d = 0; d < 2; ++d)
-        for (int k = 0; k < 4; ++k)
-          u[d][k] = element.packet[layout.velocity(d, k)];
-      for (int k = 0; k < 4; ++k)
-        if (symmetry == Symmetry::axisymmetric && x[0][k] < 0)
-          {
-            u[0][k] = -u[0][k];
-            ++pieces.mirrored_corners;
-          }
-      x = mirrored(symmetry, x);
+      const ElementCorners corners = corners_of(symmetry, layout, element);
+      CutElement           result{{}, {}, corners.motion};
+      ElementPieces       &pieces = result.pieces;
+      pieces.mass                 = corners.motion.mass;
+      pieces.mirrored_corners     = corners.mirrored_corners;
 
-      CornerVectors velocity;
-      for (int k = 0; k < 4; ++k)
-        velocity[k] = {{u[0][k], u[1][k]}};
-      result.mean    = mean_velocity<2>(element.corner_mass, velocity);
-      result.kinetic = relative_kinetic_energy<2>(element.corner_mass, velocity, result.mean) +
-                       element.packet[layout.kinetic_remainder()];
-      for (int m = 0; m < layout.n_materials(); ++m)
-        pieces.mass += element.packet[layout.mass(m)];
-
-      const Bisection bisection = bisect(x, u);
+      const Bisection bisection = bisect(corners.x, corners.u);
       pieces.triangle           = bisection.triangle;
       pieces.folded             = bisection.folded;
       result.as_given           = unit_density_motion(symmetry, pieces.triangle);
@@ -99,8 +81,8 @@ namespace whipple::projection
     {
       ElementPieces &pieces  = cut.pieces;
       const double   density = pieces.mass / cut.as_given.mass;
-      move(pieces.triangle, cut.as_given.mean_u, cut.mean, scale);
-      pieces.unshown = std::max(0., cut.kinetic - scale * scale * density * cut.as_given.kinetic) / pieces.mass;
+      move(pieces.triangle, cut.as_given.mean_u, cut.motion.mean_u, scale);
+      pieces.unshown = std::max(0., cut.motion.kinetic - scale * scale * density * cut.as_given.kinetic) / pieces.mass;
       return std::move(pieces);
     }
   } // namespace
@@ -129,6 +111,33 @@ namespace whipple::projection
     return x;
   }
 
+  ElementCorners
+  corners_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
+  {
+    ElementCorners result;
+    CornerVectors  position, velocity;
+    result.x = mirrored(symmetry, element.position);
+    for (int k = 0; k < 4; ++k)
+      {
+        for (int d = 0; d < 2; ++d)
+          result.u[d][k] = element.packet[layout.velocity(d, k)];
+        if (symmetry == Symmetry::axisymmetric && element.position[0][k] < 0)
+          {
+            result.u[0][k] = -result.u[0][k];
+            ++result.mirrored_corners;
+          }
+        position[k] = {{result.x[0][k], result.x[1][k]}};
+        velocity[k] = {{result.u[0][k], result.u[1][k]}};
+      }
+    for (int m = 0; m < layout.n_materials(); ++m)
+      result.motion.mass += element.packet[layout.mass(m)];
+    result.motion.mean_x  = mean_velocity<2>(element.corner_mass, position); // weights are the same
+    result.motion.mean_u  = mean_velocity<2>(element.corner_mass, velocity);
+    result.motion.kinetic = relative_kinetic_energy<2>(element.corner_mass, velocity, result.motion.mean_u) +
+                            element.packet[layout.kinetic_remainder()];
+    return result;
+  }
+
   ElementPieces
   distended_pieces(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
   {
@@ -139,7 +148,7 @@ namespace whipple::projection
         result.pieces.void_fraction.push_back(element.packet[layout.void_fraction(m)]);
       }
     const double energy = result.pieces.mass / result.as_given.mass * result.as_given.kinetic;
-    const double scale  = energy > result.kinetic ? std::sqrt(result.kinetic / energy) : 1.;
+    const double scale  = energy > result.motion.kinetic ? std::sqrt(result.motion.kinetic / energy) : 1.;
     return set_in_motion(std::move(result), scale);
   }
 

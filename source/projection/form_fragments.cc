@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/projection/cell_tree.h>
 #include <whipple/projection/form_fragments.h>
 #include <whipple/projection/group_parcels.h>
-#include <whipple/state/momentum_restore.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,8 @@ namespace whipple::projection
     Parcel
     parcel_of(const Lattice<2> &lattice, CellKey key)
     {
-      Parcel                parcel;
-      const LatticePoint<2> point = key_point<2>(key);
-      for (int d = 0; d < 2; ++d)
-        {
-          parcel.lower[d] = lattice.origin[d] + point[d] * lattice.spacing;
-          parcel.upper[d] = lattice.origin[d] + (point[d] + lattice.extent(key_level(key))) * lattice.spacing;
-        }
+      Parcel parcel;
+      CellTree<2>::box(lattice, key_level(key), key_point<2>(key), parcel.lower, parcel.upper);
       return parcel;
     }
 
@@ -39,45 +34,6 @@ namespace whipple::projection
     circumference(Symmetry symmetry, double r)
     {
       return symmetry == Symmetry::planar ? 1. : 2. * std::numbers::pi * r;
-    }
-
-    double
-    solid_volume(const CellPacketLayout<2> &layout, const CellPacket &packet)
-    {
-      double solid = 0;
-      for (int m = 0; m < layout.n_materials(); ++m)
-        solid += (1. - packet[layout.void_fraction(m)]) * packet[layout.volume(m)];
-      return solid;
-    }
-
-    /// What an element weighs, where, and how it moves.
-    struct Centre
-    {
-      double    mass = 0;
-      Vector<2> position{}, velocity{};
-      double    relative = 0; ///< kinetic energy about the mean velocity, Mbar cm^3
-    };
-
-    Centre
-    centre_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
-    {
-      Centre                   centre;
-      std::array<Vector<2>, 4> u, x;
-      const geometry::Quad     position = mirrored(symmetry, element.position);
-      for (int k = 0; k < 4; ++k)
-        for (int d = 0; d < 2; ++d)
-          {
-            const bool beyond = d == 0 && symmetry == Symmetry::axisymmetric && element.position[0][k] < 0;
-            u[k][d]           = (beyond ? -1. : 1.) * element.packet[layout.velocity(d, k)];
-            x[k][d]           = position[d][k];
-          }
-      for (int m = 0; m < layout.n_materials(); ++m)
-        centre.mass += element.packet[layout.mass(m)];
-      centre.velocity = mean_velocity<2>(element.corner_mass, u);
-      centre.position = mean_velocity<2>(element.corner_mass, x);
-      centre.relative = relative_kinetic_energy<2>(element.corner_mass, u, centre.velocity) +
-                        element.packet[layout.kinetic_remainder()];
-      return centre;
     }
 
     /// One group of elements on its way to become a piece.
@@ -101,7 +57,7 @@ namespace whipple::projection
         add_up(elements);
         const bool ring = view_.lattice.symmetry == Symmetry::axisymmetric && !on_axis_;
         double     area = 0, volume = 0, least = parcels_[group_[0]].lower[0];
-        Vector<2>  centroid{}; // of the area; of the volume in z on the axis
+        Vector<2>  centroid{}; // of the area
         for (const Index i : group_)
           {
             const Parcel &p = parcels_[i];
@@ -112,7 +68,7 @@ namespace whipple::projection
             least = std::min(least, p.lower[0]);
           }
         from_ = centroid;
-        to_   = total_.position;
+        to_   = total_.mean_x;
         if (on_axis_)
           {
             scale_   = std::cbrt(solid_ / volume);
@@ -130,7 +86,7 @@ namespace whipple::projection
             sum += v;
             mean += (place(1, middle(parcels_[i], 1)) - mean) * (v / sum);
           }
-        to_[1] += total_.position[1] - mean;
+        to_[1] += total_.mean_x[1] - mean;
         return true;
       }
 
@@ -146,9 +102,8 @@ namespace whipple::projection
           write_part(volume_of(i) / volume, parcels_[i], lost, elements[element_of_[i]]);
         report.kinetic_loss += lost;
         if (on_axis_)
-          report.axis_impulse += total_.mass * total_.velocity[0];
+          report.axis_impulse += total_.mass * total_.mean_u[0];
         report.mass += total_.mass;
-        report.largest_mass = std::max(report.largest_mass, total_.mass);
         ++report.pieces;
       }
 
@@ -160,18 +115,7 @@ namespace whipple::projection
         for (const Index i : group_)
           {
             const Element<2> &element = elements[element_of_[i]];
-            const Centre      centre  = centre_of(view_.lattice.symmetry, layout, element);
-            const double      sum     = total_.mass + centre.mass;
-            double            square  = 0;
-            for (int d = 0; d < 2; ++d)
-              {
-                const double slip = centre.velocity[d] - total_.velocity[d];
-                square += slip * slip;
-                total_.velocity[d] += slip * (centre.mass / sum);
-                total_.position[d] += (centre.position[d] - total_.position[d]) * (centre.mass / sum);
-              }
-            total_.relative += centre.relative + 0.5 * total_.mass * (centre.mass / sum) * square;
-            total_.mass = sum;
+            total_.add(corners_of(view_.lattice.symmetry, layout, element).motion);
             solid_ += solid_volume(layout, element.packet);
             mix(element.packet);
             on_axis_ = on_axis_ || (view_.lattice.symmetry == Symmetry::axisymmetric && parcels_[i].lower[0] <= 0.);
@@ -207,7 +151,7 @@ namespace whipple::projection
       double
       lost_kinetic() const
       {
-        return total_.relative + (on_axis_ ? 0.5 * total_.mass * total_.velocity[0] * total_.velocity[0] : 0.);
+        return total_.kinetic + (on_axis_ ? 0.5 * total_.mass * total_.mean_u[0] * total_.mean_u[0] : 0.);
       }
 
       double
@@ -241,7 +185,7 @@ namespace whipple::projection
             for (int d = 0; d < 2; ++d)
               {
                 element.position[d][k]                = place(d, (k >> d & 1) ? parcel.upper[d] : parcel.lower[d]);
-                element.packet[layout.velocity(d, k)] = on_axis_ && d == 0 ? 0. : total_.velocity[d];
+                element.packet[layout.velocity(d, k)] = on_axis_ && d == 0 ? 0. : total_.mean_u[d];
               }
           }
       }
@@ -251,7 +195,7 @@ namespace whipple::projection
       std::span<const std::size_t> element_of_;
       const ParcelGroup           &group_;
 
-      Centre     total_;
+      Motion     total_;
       CellPacket mixture_;         ///< of all its elements: masses and volumes of solid add up, the rest are means
       double     solid_   = 0;     ///< cm^3
       bool       on_axis_ = false; ///< touches it

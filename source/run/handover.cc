@@ -100,8 +100,7 @@ namespace whipple
       for (int k = 0; k < 4; ++k)
         for (int d = 0; d < dim; ++d)
           x[d][k] = k >> d & 1 ? upper[d] : scene.lattice.origin[d];
-      return scene.lattice.symmetry == Symmetry::planar ? geometry::volume<Symmetry::planar>(x)
-                                                        : geometry::volume<Symmetry::axisymmetric>(x);
+      return geometry::volume(scene.lattice.symmetry, x);
     }
 
     /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
@@ -120,13 +119,10 @@ namespace whipple
     double
     solid_fraction(const CellPacketLayout<dim> &layout, const CellPacket &packet)
     {
-      double solid = 0, volume = 0;
+      double volume = 0;
       for (int m = 0; m < layout.n_materials(); ++m)
-        {
-          volume += packet[layout.volume(m)];
-          solid += packet[layout.volume(m)] * (1. - packet[layout.void_fraction(m)]);
-        }
-      return volume > 0 ? solid / volume : 1.;
+        volume += packet[layout.volume(m)];
+      return volume > 0 ? solid_volume(layout, packet) / volume : 1.;
     }
   } // namespace
 

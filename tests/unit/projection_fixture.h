@@ -137,6 +137,19 @@ namespace whipple::projection_test
       }
   }
 
+  /// Both materials in every cell, with the same share of voids, filling it.
+  inline void
+  fill_with_both(State<2> &state, Random &random)
+  {
+    for (Index cell = 0; cell < state.n_cells(); ++cell)
+      {
+        const double phi = random(0., 0.9), share = random(0., 1.);
+        set_material(state.material[0], cell, share * state.volume[cell], (1. - phi) * 2.75, random(0., 0.02), phi);
+        set_material(state.material[1], cell, (1. - share) * state.volume[cell], (1. - phi) * 7.9, random(0., 0.02),
+                     phi);
+      }
+  }
+
   /// Node velocities near 0.6 cm/us towards +z with some scatter, made consistent with masses and hanging nodes.
   inline void
   set_velocities(const FlatMesh<2> &mesh, State<2> &state, double scatter, Random &random)

@@ -40,13 +40,7 @@ namespace
       , mesh(mesh_of(grid, inner_keys(grid), Cohesion::fragments))
       , state(blank_state(mesh))
     {
-      for (Index cell = 0; cell < mesh.n_cells; ++cell)
-        {
-          const double phi = random(0., 0.9), share = random(0., 1.);
-          set_material(state.material[0], cell, share * state.volume[cell], (1. - phi) * 2.75, random(0., 0.02), phi);
-          set_material(state.material[1], cell, (1. - share) * state.volume[cell], (1. - phi) * 7.9, random(0., 0.02),
-                       phi);
-        }
+      fill_with_both(state, random);
       set_velocities(mesh, state, scatter, random);
       for (Index node = 0; node < mesh.n_nodes; ++node)
         for (int d = 0; d < 2; ++d)

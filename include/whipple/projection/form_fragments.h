@@ -14,7 +14,6 @@ namespace whipple::projection
     double axis_impulse = 0; ///< radial momentum that the axis took, g cm/us
     long   pieces       = 0; ///< formed
     double mass         = 0; ///< in them, g
-    double largest_mass = 0; ///< of a piece, g
     long   not_formed   = 0; ///< groups that would have reached across the axis
   };
 

@@ -97,6 +97,17 @@ namespace whipple
     }
   };
 
+  /// Volume of solid in a cell, sum of (1 - phi) V over its materials, cm^3.
+  template <int dim>
+  double
+  solid_volume(const CellPacketLayout<dim> &layout, const CellPacket &packet)
+  {
+    double solid = 0;
+    for (int m = 0; m < layout.n_materials(); ++m)
+      solid += packet[layout.volume(m)] * (1. - packet[layout.void_fraction(m)]);
+    return solid;
+  }
+
   /// The packet of one cell; empty when it holds no material.
   /// @param velocities  corner_velocities() of the state
   /// @param normals     of this state, per material
