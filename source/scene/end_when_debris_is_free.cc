@@ -85,17 +85,17 @@ namespace whipple
       double      velocity_; ///< least one of debris, cm/us
     };
 
-    const StageEndRegistration registration(
-        "until debris is free of",
-        {"'until debris is free of BODY'",
-         "when what flies behind that plate no longer gains momentum: less than 1 % in a sixth of the time",
-         [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
-           constexpr double  least_part = 0.1;
-           const std::size_t body       = input.body(input.rest);
-           if (!(input.largest_speed > 0))
-             input.reject("nothing moves in this scene; allowed is a time");
-           return std::make_shared<EndWhenDebrisIsFree>(input.bodies[body], input.rears[body],
-                                                        least_part * input.largest_speed);
-         }});
+    const StageEndRegistration
+        registration("until debris is free of",
+                     {"'until debris is free of BODY'",
+                      "when half of the momentum is behind that plate and gains less than 1 % in a sixth of the time",
+                      [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
+                        constexpr double  least_part = 0.1;
+                        const std::size_t body       = input.body(input.rest);
+                        if (!(input.largest_speed > 0))
+                          input.reject("nothing moves in this scene; allowed is a time");
+                        return std::make_shared<EndWhenDebrisIsFree>(input.bodies[body], input.rears[body],
+                                                                     least_part * input.largest_speed);
+                      }});
   } // namespace
 } // namespace whipple
