@@ -19,7 +19,8 @@ namespace whipple
     for (const auto &kind : {warnings::resolution<dim>, warnings::endless_stages<dim>, warnings::leaving_matter<dim>})
       for (const std::string &line : kind(problem.scene))
         all.push_back(line);
-    for (const auto &kind : {warnings::damage_without_ductility<dim>, warnings::cost<dim>})
+    for (const auto &kind :
+         {warnings::damage_without_ductility<dim>, warnings::pressure_in_vacuum<dim>, warnings::cost<dim>})
       for (const std::string &line : kind(problem))
         all.push_back(line);
     return all;
@@ -155,8 +156,44 @@ namespace whipple
       return lines;
     }
 
+    template <int dim>
+    std::vector<std::string>
+    pressure_in_vacuum(const Problem<dim> &problem)
+    {
+      // what an impact of like bodies turns into heat at most; a gas with Gamma = 3 is stiffer than any that is known
+      constexpr double thin = 1e-3, stiffest = 3.;
+      double           fastest = 0;
+      for (const Body<dim> &a : problem.scene.bodies)
+        for (const Body<dim> &b : problem.scene.bodies)
+          {
+            double square = 0;
+            for (int d = 0; d < dim; ++d)
+              square += (a.velocity[d] - b.velocity[d]) * (a.velocity[d] - b.velocity[d]);
+            fastest = std::max(fastest, std::sqrt(square));
+          }
+      const double             energy = fastest * fastest / 8.;
+      std::vector<std::string> lines;
+      for (std::size_t m = 0; m < problem.materials.size(); ++m)
+        {
+          const EquationOfState &eos      = *problem.materials[m].model.eos;
+          const double           density  = thin * eos.reference_density();
+          double                 pressure = 0, sound_speed_squared = 0;
+          eos.evaluate({&density, 1}, {&energy, 1}, {&pressure, 1}, {&sound_speed_squared, 1});
+          if (pressure > stiffest * density * energy)
+            lines.push_back("material '" + problem.scene.materials[m].name + "': its law '" + eos.name() + "' keeps " +
+                            units::format(pressure, units::pressure) + " at a thousandth of its density with " +
+                            units::format(energy, units::specific_energy) + ", which an impact at " +
+                            rounded(10. * fastest) +
+                            " km/s can bring: no void relieves that, and steps get short. Another equation of state "
+                            "is meant for hot expanded matter");
+        }
+      return lines;
+    }
+
     template std::vector<std::string>
     resolution(const Scene<2> &);
+    template std::vector<std::string>
+    pressure_in_vacuum(const Problem<2> &);
     template std::vector<std::string>
     damage_without_ductility(const Problem<2> &);
   } // namespace warnings

@@ -21,6 +21,10 @@ namespace whipple
     /// Part of the density at which a law ends that no state may exceed: there the sound speed grows without bound.
     constexpr double short_of_pole = 0.99;
 
+    /// In expansion no matter is stiffer: c^2 <= (Gamma + 1) Gamma e of a gas is below 12 e for every Gamma here, and
+    /// cold solids soften. A hundred times that is left to the continuation of tables.
+    constexpr double stiff_expansion = 1e3;
+
     double
     sound_speed_squared(const EquationOfState &eos, double density, double energy)
     {
@@ -66,7 +70,11 @@ namespace whipple
     : layout_(layout)
   {
     for (std::size_t m = 0; m < layout.materials.size(); ++m)
-      curve_.push_back(cold_curve(scene, layout, m));
+      {
+        curve_.push_back(cold_curve(scene, layout, m));
+        const EquationOfState &eos = *layout.materials[m].eos;
+        cold_sound_speed_squared_.push_back(sound_speed_squared(eos, eos.reference_density(), 0.));
+      }
   }
 
   template <int dim>
@@ -91,6 +99,7 @@ namespace whipple
                  << "' ends at " << pole << " g/cm^3";
             throw StateError(text.str());
           }
+        check_expansion(domain, material, c, true_density);
         if (!(lacking > 0))
           continue;
         sum.energy += lacking;
@@ -102,6 +111,26 @@ namespace whipple
           }
       }
     return sum;
+  }
+
+  template <int dim>
+  void
+  StateGuard<dim>::check_expansion(const Domain<dim> &domain, std::size_t material, Index c, double true_density) const
+  {
+    const EquationOfState &eos = *layout_.materials[material].eos;
+    const double           c2  = domain.derived.material[material].sound_speed[c] *
+                      domain.derived.material[material].sound_speed[c],
+                 energy = domain.state.material[material].energy[c];
+    if (!(true_density < 0.5 * eos.reference_density()) ||
+        !(c2 > stiff_expansion * std::max(cold_sound_speed_squared_[material], energy)))
+      return;
+    std::ostringstream text;
+    text << layout_.material_names[material] << " has sound speed " << std::sqrt(c2) << " cm/us at true density "
+         << true_density << " g/cm^3 and energy " << energy << " Mbar cm^3/g " << place(domain, c) << "; its law '"
+         << eos.name()
+         << "' keeps a pressure there that no expansion relieves. Take an equation of state that is meant for hot "
+            "expanded matter";
+    throw StateError(text.str());
   }
 
   template <int dim>

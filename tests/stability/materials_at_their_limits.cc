@@ -210,6 +210,25 @@ namespace
     table.at_least("smallest time step / median", outcome.smallest_step_over_median(), 0.05);
   }
 
+  /// Hot lead whose law, the linear polynomial, keeps Gamma gamma0 e as its pressure however far it has expanded: its
+  /// sound speed grows as 1/gamma, and a run would go on with ever smaller steps.
+  TEST(QuickClock, ALawWithoutAVacuum)
+  {
+    Case      table("hot lead by the linear polynomial, into vacuum", "steps get smaller without a word", "eulerian");
+    SceneText scene = box("planar", 0, 0, 0.1, 2, 0.02, "transmitting");
+    scene.set("Effects/List", "voids")
+        .add("Materials", "lead",
+             {{"Library", "lead"}, {"Equation of state", "linear polynomial"}, {"Void law", "rate"}, {"Alpha", "1"}});
+    Entries body = block(0, 0, 0.1, 0.1, "lead");
+    body.push_back({"Specific energy", "5 MJ/kg"});
+    scene.add("Bodies", "block", body).add("Stages", "s", {{"Mode", "eulerian"}, {"End", "100 us"}});
+    const Outcome outcome = run(scene, "linear_polynomial");
+    const bool    named   = outcome.stopped && outcome.stopped->find("linear polynomial") != std::string::npos;
+    table.holds("stops and names the law", named,
+                outcome.stopped ? "stopped: " + outcome.stopped->substr(0, 120) : "ends");
+    table.at_most("closure of mass, momentum, energy", outcome.closure(), 1e-12);
+  }
+
   /// A piston of 20 km/s runs into aluminium; what stands behind the shock is the Hugoniot of the library's constants.
   TEST(QuickPiston, FirstStepKnowsIt)
   {

@@ -114,6 +114,17 @@ namespace
     EXPECT_LT(cost.steps, 8589. * 3.);
   }
 
+  TEST(SceneWarnings, ALawThatKeepsAPressureInVacuum)
+  {
+    // -c1 - c3 + c4 gamma0 e = 0: K (1 + 0.337 * 1.011) / (2 gamma0) of aluminium is 19 MJ/kg, as 12.4 km/s brings
+    const std::string law = "Materials/aluminium/Equation of state = linear polynomial";
+    EXPECT_EQ(warned({law}), "");
+    const std::string fast = warned({law, "Bodies/sphere/Velocity = 0 km/s, 15 km/s"});
+    for (const char *word : {"material 'aluminium'", "linear polynomial", "15 km/s", "MJ/kg"})
+      EXPECT_NE(fast.find(word), std::string::npos) << fast;
+    EXPECT_EQ(warned({"Bodies/sphere/Velocity = 0 km/s, 15 km/s"}).find("keeps"), std::string::npos);
+  }
+
   TEST(SceneWarnings, AFitWithoutDuctility)
   {
     const std::vector<std::string> bar{

@@ -37,6 +37,11 @@ namespace whipple
     std::vector<std::string>
     damage_without_ductility(const Problem<dim> &problem);
 
+    /// Laws that keep a pressure in vacuum at an energy that the fastest impact of the scene can bring.
+    template <int dim>
+    std::vector<std::string>
+    pressure_in_vacuum(const Problem<dim> &problem);
+
     /// Memory above 1 GB, time above 1 h.
     template <int dim>
     std::vector<std::string>

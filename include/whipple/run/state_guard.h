@@ -10,7 +10,8 @@
 namespace whipple
 {
   /// Looks for states that must not be, of which the sums of the ledger know nothing (doc/theory/guards.md): energy
-  /// below the cold curve, density beyond the law's pole, what is no number. Made once a stage; a look costs about a
+  /// below the cold curve, density beyond the law's pole, expanded matter that is stiffer than any solid, what is no
+  /// number. Made once a stage; a look costs about a
   /// tenth of a step.
   template <int dim>
   class StateGuard
@@ -38,7 +39,13 @@ namespace whipple
     Deficit
     deficit(const Domain<dim> &domain, std::size_t material) const;
 
+    /// Whether a law keeps a pressure that no expansion relieves: the linear polynomial's grows as e, not as gamma e.
+    /// @throws StateError if c^2 is above 1000 max(c_0^2, e) below half of the reference density
+    void
+    check_expansion(const Domain<dim> &domain, std::size_t material, Index cell, double true_density) const;
+
     const FieldLayout     &layout_;
-    std::vector<ColdCurve> curve_; ///< of each material, from its coldest body less a margin
+    std::vector<ColdCurve> curve_;                    ///< of each material, from its coldest body less a margin
+    std::vector<double>    cold_sound_speed_squared_; ///< of each material at rest without energy, (cm/us)^2
   };
 } // namespace whipple
