@@ -181,9 +181,8 @@ namespace whipple
           eos.evaluate({&density, 1}, {&energy, 1}, {&pressure, 1}, {&sound_speed_squared, 1});
           if (pressure > stiffest * density * energy)
             lines.push_back("material '" + problem.scene.materials[m].name + "': its law '" + eos.name() + "' keeps " +
-                            units::format(pressure, units::pressure) + " at a thousandth of its density with " +
-                            units::format(energy, units::specific_energy) + ", which an impact at " +
-                            rounded(10. * fastest) +
+                            rounded(pressure) + " Mbar at a thousandth of its density with " + rounded(energy) +
+                            " Mbar cm^3/g" + ", which an impact at " + rounded(10. * fastest) +
                             " km/s can bring: no void relieves that, and steps get short. Another equation of state "
                             "is meant for hot expanded matter");
         }

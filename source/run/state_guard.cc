@@ -117,11 +117,11 @@ namespace whipple
   void
   StateGuard<dim>::check_expansion(const Domain<dim> &domain, std::size_t material, Index c, double true_density) const
   {
-    const EquationOfState &eos = *layout_.materials[material].eos;
-    const double           c2  = domain.derived.material[material].sound_speed[c] *
-                      domain.derived.material[material].sound_speed[c],
-                 energy = domain.state.material[material].energy[c];
-    if (!(true_density < 0.5 * eos.reference_density()) ||
+    const EquationOfState &eos     = *layout_.materials[material].eos;
+    const DerivedMaterial &derived = domain.derived.material[material];
+    const double           c2      = derived.sound_speed[c] * derived.sound_speed[c];
+    const double           energy  = domain.state.material[material].energy[c];
+    if (!(true_density < 0.5 * eos.reference_density()) || !(derived.pressure[c] > 0) ||
         !(c2 > stiff_expansion * std::max(cold_sound_speed_squared_[material], energy)))
       return;
     std::ostringstream text;
