@@ -48,6 +48,22 @@ namespace whipple
           }
       }
 
+      /// What the run has not come to, because nothing flew on to it, is whole.
+      void
+      run_ends(const MeasureView<dim> &view, MeasureReport &report) const override
+      {
+        for (std::size_t s = 0; s < view.scene.stages.size(); ++s)
+          for (const std::size_t plate : measured_plates(view.scene, s))
+            if (const Body<dim> &body = view.scene.bodies[plate]; !report.results.contains(body.name))
+              {
+                const Box<dim> box = extent(body.shape);
+                PlateMeasure   whole;
+                whole.least_thickness     = box.upper[dim - 1] - box.lower[dim - 1];
+                whole.perforation_margin  = -whole.least_thickness;
+                report.results[body.name] = plate_results(whole, view.state.time);
+              }
+      }
+
       void
       expect(const Problem<dim> &problem, std::map<std::string, ResultTable> &results) const override
       {

@@ -174,8 +174,15 @@ namespace whipple
     if (!state_.books.progress.begun)
       enter();
     StageLoop<dim> loop(scene_, layout_, regridding_, handover_, stage, reporter_, checkpointing_, state_, last_good_);
-    loop.run();
+    const std::optional<std::string> chain_over = loop.run();
     measure(&Measure<dim>::stage_ends);
+    if (chain_over && state_.books.stage + 1 < scene_.stages.size())
+      {
+        reporter_.log().warning(*chain_over + "; the stages after '" + stage.name +
+                                "' have nothing to do, and the run " + "is complete without them");
+        state_.books.summary.reason = chain_over;
+        state_.books.stage          = scene_.stages.size() - 1;
+      }
     finish_stage();
   }
 

@@ -127,13 +127,13 @@ namespace whipple
   }
 
   template <int dim>
-  double
+  StageEnd::Left
   StageLoop<dim>::time_left()
   {
     const StageEnd::Left left =
         stage_.end->time_left(RunView<dim>(scene_, layout_, run_), run_.books.progress.memory_of_end);
     run_.record().end_us = left.end;
-    return left.time;
+    return left;
   }
 
   template <int dim>
@@ -340,7 +340,7 @@ namespace whipple
   }
 
   template <int dim>
-  void
+  std::optional<std::string>
   StageLoop<dim>::run()
   {
     if (run_.books.progress.begun)
@@ -354,12 +354,13 @@ namespace whipple
         wall_start_ = MPI_Wtime();
         begin();
       }
-    for (double left; (left = time_left()) > 0; stop_if_collapsed())
+    StageEnd::Left left{};
+    for (; (left = time_left()).time > 0; stop_if_collapsed())
       {
         checkpointing_.after_step(last_good_, reporter_);
         try
           {
-            advance(left);
+            advance(left.time);
           }
         catch (const StateError &error)
           {
@@ -372,6 +373,7 @@ namespace whipple
       }
     close_record();
     reporter_.stage_ends(stage_, run_);
+    return left.chain_over;
   }
 
   template class StageLoop<2>;

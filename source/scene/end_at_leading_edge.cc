@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/error.h>
 #include <whipple/scene/stage_end.h>
 
 #include <algorithm>
@@ -44,8 +43,7 @@ namespace whipple
         if (gap <= 0.01 * stage.finest_cell())
           return {0., stage.time()};
         if (fastest <= 0)
-          throw StateError("the stage waits for a leading edge, but nothing moves towards body '" + name_ + "', " +
-                           std::to_string(gap) + " cm away");
+          return {0., stage.time(), "nothing moves on towards '" + name_ + "'"};
         return {std::max(gap, 0.1 * stage.finest_cell()) / fastest, stage.time() + gap / fastest};
       }
 

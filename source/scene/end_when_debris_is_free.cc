@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/error.h>
 #include <whipple/scene/stage_end.h>
 
 #include <algorithm>
@@ -50,9 +49,10 @@ namespace whipple
             // until something has come through, look at every step
             const double fastest = stage.fastest();
             if (past > 0 && fastest < velocity_)
-              throw StateError("'" + name_ + "' has not been perforated, the chain of stages ends here: after " +
-                               std::to_string(past) + " us nothing is faster than " + std::to_string(fastest) +
-                               " cm/us, a tenth of the fastest body is " + std::to_string(velocity_));
+              return {0., stage.time(),
+                      "nothing has come through '" + name_ + "': after " + std::to_string(past) +
+                          " us nothing is faster than " + std::to_string(fastest) +
+                          " cm/us, a tenth of the fastest body is " + std::to_string(velocity_)};
             const double step = stage.finest_cell() / std::max(fastest, velocity_);
             if (!(past > 0) || !(stage.beyond(rear_, velocity_).momentum > 0))
               return {step, stage.time() + 10. * step};
@@ -63,9 +63,9 @@ namespace whipple
         const double momentum = stage.beyond(rear_, velocity_).momentum;
         const double all      = stage.beyond(-std::numeric_limits<double>::infinity(), velocity_).momentum;
         if (!(all > 0))
-          throw StateError("nothing flies on from '" + name_ + "', the chain of stages ends here: after " +
-                           std::to_string(past) + " us nothing in the domain is faster than " +
-                           std::to_string(velocity_) + " cm/us");
+          return {0., stage.time(),
+                  "nothing flies on from '" + name_ + "': after " + std::to_string(past) +
+                      " us nothing in the domain is faster than " + std::to_string(velocity_) + " cm/us"};
         if (memory[4] == 0 && momentum >= 0.5 * all)
           memory[4] = past;
         const bool through = memory[4] > 0;

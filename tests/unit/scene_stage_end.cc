@@ -151,6 +151,32 @@ namespace
       }
   }
 
+  /// A stage in which everything has come to rest before the plate.
+  struct StageAtRest : FakeStage
+  {
+    double speed = 0.04; ///< cm/us
+
+    double
+    fastest() const override
+    {
+      return speed;
+    }
+  };
+  TEST(StageEnd, APlateThatHoldsEndsTheChain)
+  {
+    StageAtRest         stage;
+    std::vector<double> memory;
+    stage.now       = stage.begin + 0.05;
+    const auto left = read("until debris is free of wall")->time_left(stage, memory);
+    EXPECT_EQ(left.time, 0.);
+    ASSERT_TRUE(left.chain_over);
+    EXPECT_NE(left.chain_over->find("'wall'"), std::string::npos) << *left.chain_over;
+    EXPECT_FALSE(read("for 2 us")->time_left(stage, memory).chain_over);
+    EXPECT_FALSE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
+    stage.speed = 0.;
+    EXPECT_TRUE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
+  }
+
   TEST(StageEnd, WhatIsNotUnderstoodIsRefused)
   {
     for (const char *text : {"", "until settled", "until settled within 1 %", "until settled within 1 % for", "0 us",

@@ -30,9 +30,10 @@ namespace whipple
               Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good);
 
     /// From where the run state is to the end of the stage.
+    /// @returns why the later stages would have nothing to do, if so
     /// @throws StateError on all ranks, after the last good state has been restored
     /// @throws Interrupted on all ranks; the last good state is in a checkpoint
-    void
+    std::optional<std::string>
     run();
 
   private:
@@ -104,7 +105,7 @@ namespace whipple
     /// The time step to make, from limit_.
     double
     choose_time_step(double left);
-    double
+    StageEnd::Left
     time_left();
     /// @throws StateError, after the record has been closed, if the time step has collapsed.
     void

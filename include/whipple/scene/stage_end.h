@@ -88,6 +88,8 @@ namespace whipple
     {
       double time; ///< us; the largest step that may still be made. 0: the stage is over
       double end;  ///< us; when it will be, estimated
+      /// Why later stages would have nothing to do, if so; then the time is 0, and the run is complete with this stage.
+      std::optional<std::string> chain_over = std::nullopt;
     };
 
     /// Asked before every step. @param memory of this stage, empty at its start; part of the run state
