@@ -204,13 +204,19 @@ namespace
   INSTANTIATE_TEST_SUITE_P(Modes, QuickAxis, testing::Values("eulerian", "lagrangian"),
                            [](const auto &info) { return std::string(info.param); });
 
-  /// A spherical cloud, aluminium of a tenth of its density, runs onto a plate: the plate's motion at the axis against
-  /// that next to it.
-  TEST(QuickAxis, SphericalCloudOnAPlate)
+  /// A spherical cloud, aluminium of a tenth of its density, runs onto a plate, from the fixed mesh or out of a flight
+  /// as elements of their own: the plate's motion at the axis against that five degrees off it (the next two columns).
+  class QuickCloud : public testing::TestWithParam<const char *>
   {
-    const double cell = 0.02;
-    Case         table("spherical cloud on a plate", "a jet or a crater at the axis", "eulerian");
-    SceneText    scene = box("axisymmetric", 0, -0.8, 0.8, 0.4, cell, "transmitting");
+  };
+  TEST_P(QuickCloud, NoJetAtTheAxis)
+  {
+    const std::string way   = GetParam();
+    const bool        flies = way != "eulerian";
+    const double      cell  = 0.02;
+    Case              table("spherical cloud on a plate" + (flies ? ", laid down as " + way : std::string()),
+                            "a jet or a crater at the axis", flies ? "lagrangian fragments, eulerian" : "eulerian");
+    SceneText         scene = box("axisymmetric", 0, -0.96, 0.8, 0.48, cell, "transmitting");
     scene.set("Effects/List", "strength, voids").add("Materials", "metal", shield_aluminium());
     scene.add("Materials", "cloud",
               {{"Library", "aluminium 2024-T4"},
@@ -218,10 +224,16 @@ namespace
                {"Initial porosity", "90 %"},
                {"Elastic crush pressure", "1 MPa"},
                {"Full compaction pressure", "100 MPa"}});
-    scene.add("Bodies", "cloud", sphere(0, -0.35, 0.7, "cloud", 0., 0.5))
+    scene.add("Bodies", "cloud", sphere(0, flies ? -0.45 : -0.35, 0.7, "cloud", 0., 0.5))
         .add("Bodies", "plate", plate(0., 0.1, "metal"));
-    scene.add("Stages", "impact", {{"Mode", "eulerian"}, {"End", "1.5 us"}});
-    const Outcome outcome = run(scene, "axis_cloud");
+    if (flies)
+      scene.add("Stages", "flight",
+                {{"Mode", "lagrangian"}, {"Introduces", "cloud"}, {"Cohesion", "fragments"}, {"End", "0.2 us"}});
+    scene.add("Stages", "impact",
+              {{"Mode", "eulerian"}, {"Introduces", flies ? "plate" : "cloud, plate"}, {"End", "for 1.5 us"}});
+    if (flies)
+      scene.set("Stages/impact/Representation", way);
+    const Outcome outcome = run(scene, "axis_cloud_" + way);
     expect_sound_impact(table, outcome);
     std::array<double, 6> momentum{}, mass{};
     const MaterialState  &metal = outcome.state().material[0];
@@ -234,9 +246,16 @@ namespace
             momentum[column] += part * outcome.state().velocity[1][outcome.mesh().cell_node[4 * c + k]];
             mass[column] += part;
           }
-    table.within("velocity of the plate in the first column over the next two",
-                 momentum[0] / mass[0] / ((momentum[1] + momentum[2]) / (mass[1] + mass[2])), 1., 0.05);
-    table.within("mass of the plate above the first column, per area, over the next two",
-                 mass[0] / ((mass[1] + mass[2]) / 8.), 1., 0.05);
+    table.at_most("velocity of the plate in the first column over the next two",
+                  momentum[0] / mass[0] / ((momentum[1] + momentum[2]) / (mass[1] + mass[2])), 1.03);
+    // solid pieces thin the plate where they land, so its mass there is a sample
+    const char  *what  = "mass of the plate above the first column, per area, over the next two";
+    const double ratio = mass[0] / ((mass[1] + mass[2]) / 8.);
+    if (way == "packages")
+      table.report(what, ratio);
+    else
+      table.within(what, ratio, 1., 0.05);
   }
+  INSTANTIATE_TEST_SUITE_P(Ways, QuickCloud, testing::Values("eulerian", "distended", "packages"),
+                           [](const auto &info) { return std::string(info.param); });
 } // namespace
