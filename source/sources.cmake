@@ -157,6 +157,7 @@ set(WHIPPLE_FLAT
     source/scene/end_at_time.cc
     source/scene/end_when_debris_is_free.cc
     source/scene/end_when_settled.cc
+    source/scene/end_when_holes_settle.cc
     source/scene/polygon_shape.cc
     source/scene/shape.cc
     source/scene/sphere_shape.cc

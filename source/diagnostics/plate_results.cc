@@ -48,6 +48,12 @@ namespace whipple
           }
       }
 
+      void
+      plates_have_settled(const MeasureView<dim> &view, MeasureReport &report) const override
+      {
+        stage_ends(view, report);
+      }
+
       /// What the run has not come to, because nothing flew on to it, is whole.
       void
       run_ends(const MeasureView<dim> &view, MeasureReport &report) const override

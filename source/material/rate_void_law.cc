@@ -37,6 +37,12 @@ namespace whipple
     return alpha / (eos.reference_density() * eos.reference_density());
   }
 
+  std::shared_ptr<const VoidLaw>
+  RateVoidLaw::with_growth(double new_alpha) const
+  {
+    return std::make_shared<RateVoidLaw>(new_alpha, spall_strength);
+  }
+
   std::string
   RateVoidLaw::name() const
   {

@@ -4,6 +4,7 @@
 #include <whipple/scene/box_shape.h>
 #include <whipple/state/round_off_share.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -61,6 +62,14 @@ namespace whipple::sections
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
       {
         const Stage &stage = scene.stages[s];
+        const auto   grows = [](const MaterialModels &material) {
+          return material.model.void_law && material.model.void_law->with_growth(0.);
+        };
+        if (stage.void_growth && std::none_of(problem.materials.begin(), problem.materials.end(), grows))
+          SceneSection(parameters, "Stages/" + stage.name)
+              .reject("Alpha",
+                      "no material has the void law 'rate' and the effect 'voids' (Effects/List); allowed then is "
+                      "'as the materials say'");
         entered.insert(entered.end(), stage.introduces.begin(), stage.introduces.end());
         if (s == 0 || stage.mode() != StageMode::lagrangian || scene.stages[s - 1].mode() != StageMode::eulerian ||
             stage.lagrangian->debris.void_cutoff < round_off_share || can_be_full(scene, entered))

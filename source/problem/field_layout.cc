@@ -78,6 +78,17 @@ namespace whipple
         }
   }
 
+  FieldLayout
+  FieldLayout::of_stage(const Stage &stage) const
+  {
+    FieldLayout layout = *this;
+    if (stage.void_growth)
+      for (Material &material : layout.materials)
+        if (auto law = material.void_law ? material.void_law->with_growth(*stage.void_growth) : nullptr)
+          material.void_law = law;
+    return layout;
+  }
+
   template <int dim>
   State<dim>
   FieldLayout::allocate(const FlatMesh<dim> &mesh) const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/exact_errors.h>
+#include <whipple/diagnostics/plate_measure.h>
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/output/first_rank.h>
 #include <whipple/run/simulation.h>
@@ -173,9 +174,14 @@ namespace whipple
     const Stage &stage = scene_.stages[state_.books.stage];
     if (!state_.books.progress.begun)
       enter();
-    StageLoop<dim> loop(scene_, layout_, regridding_, handover_, stage, reporter_, checkpointing_, state_, last_good_);
+    const FieldLayout layout = layout_.of_stage(stage);
+    StageLoop<dim>    loop(
+           scene_, layout, regridding_, handover_, stage, reporter_,
+           [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, last_good_);
     const std::optional<std::string> chain_over = loop.run();
     measure(&Measure<dim>::stage_ends);
+    if (stage.plates_measured == PlatesMeasured::settled && !measured_plates(scene_, state_.books.stage).empty())
+      follow_plates(stage, layout);
     if (chain_over && state_.books.stage + 1 < scene_.stages.size())
       {
         reporter_.log().warning(*chain_over + "; the stages after '" + stage.name +
@@ -184,6 +190,82 @@ namespace whipple
         state_.books.stage          = scene_.stages.size() - 1;
       }
     finish_stage();
+  }
+
+  namespace
+  {
+    /// Nobody listens to what a copy of the state does; warnings are heard.
+    template <int dim>
+    class WarningsOnly : public StageNews<dim>
+    {
+    public:
+      explicit WarningsOnly(RunLog &log)
+        : log_(log)
+      {
+      }
+      RunLog &
+      log() override
+      {
+        return log_;
+      }
+
+    private:
+      RunLog &log_;
+    };
+
+    /// The stage, until its holes have settled; at the latest at eight times the time that it has taken.
+    Stage
+    until_holes_have_settled(const Stage &stage, double taken)
+    {
+      constexpr double longest = 8.;
+      Stage            longer  = stage;
+      StageEndInput    input;
+      input.rest  = "until holes have settled within " + std::to_string(longest * taken) + " us";
+      input.value = [](const std::string &text, const units::Quantity &quantity) {
+        return units::parse(text, quantity);
+      };
+      input.reject = [](const std::string &allowed) { throw InputError(allowed); };
+      longer.end   = StageEndRegistry::read(input);
+      return longer;
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  Simulation<dim>::follow_plates(const Stage &stage, const FieldLayout &layout)
+  {
+    const double  start = state_.books.summary.stages.back().start_us, end = state_.domain.state.time;
+    const Stage   longer = until_holes_have_settled(stage, end - start);
+    LastGood<dim> before, good;
+    before.keep(state_);
+    good.keep(state_);
+    state_.books.progress.memory_of_end.clear();
+    WarningsOnly<dim> news(reporter_.log());
+    StageLoop<dim>    loop(
+           scene_, layout, regridding_, handover_, longer, news,
+           [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, good);
+    std::map<std::string, ResultTable> results;
+    try
+      {
+        loop.run();
+        measure(&Measure<dim>::plates_have_settled);
+        results = state_.books.summary.results;
+        reporter_.log().info("plates of stage " + stage.name + " followed to " +
+                             std::to_string(state_.domain.state.time) + " us in a copy of its state");
+      }
+    catch (const Interrupted &)
+      {
+        throw;
+      }
+    catch (const StateError &error)
+      {
+        reporter_.log().warning("plates of stage " + stage.name +
+                                " cannot be followed beyond its end: " + error.what());
+      }
+    before.restore(layout_, state_);
+    evaluate(scene_, layout_, state_.domain);
+    if (!results.empty())
+      state_.books.summary.results = results;
   }
 
   template <int dim>

@@ -41,15 +41,15 @@ namespace whipple
 
   template <int dim>
   StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
-                            const Handover<dim> &handover, const Stage &stage, Reporter<dim> &reporter,
-                            Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good)
+                            const Handover<dim> &handover, const Stage &stage, StageNews<dim> &news,
+                            std::function<void()> before_step, RunState<dim> &run, LastGood<dim> &last_good)
     : scene_(scene)
     , layout_(layout)
     , regridding_(regridding)
     , handover_(handover)
     , stage_(stage)
-    , reporter_(reporter)
-    , checkpointing_(checkpointing)
+    , news_(news)
+    , before_step_(std::move(before_step))
     , run_(run)
     , last_good_(last_good)
     , walls_(rigid_walls(scene))
@@ -78,7 +78,7 @@ namespace whipple
     run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
     run_.books.progress.since_regrid       = 0;
     run_.books.progress.spare_after_regrid = -1;
-    reporter_.mesh_is_new(run_);
+    news_.mesh_is_new(run_);
   }
 
   template <int dim>
@@ -219,7 +219,7 @@ namespace whipple
     ++record.dt_limits[limit_.reason];
     record.cell_steps += static_cast<double>(cells_);
     const double fraction = (domain.state.time - record.start_us) / (record.end_us - record.start_us);
-    reporter_.step_done({&stage_, record.steps, dt, &limit_, cells_, fraction}, present, run_);
+    news_.step_done({&stage_, record.steps, dt, &limit_, cells_, fraction}, present, run_);
   }
 
   template <int dim>
@@ -229,7 +229,7 @@ namespace whipple
     const double before = run_.domain.state.time;
     if (!fly(left))
       step(left, nullptr);
-    reporter_.look(stage_, run_.domain.state.time - before, run_);
+    news_.look(stage_, run_.domain.state.time - before, run_);
     if (stage_.mode() == StageMode::eulerian)
       {
         if (regrid_is_due() || edge_touched())
@@ -249,7 +249,7 @@ namespace whipple
     const double        until    = run_.domain.state.time + tried_dt_;
     const bool          new_view = last_good_.restore(layout_, run_);
     StageProgress      &progress = run_.books.progress;
-    reporter_.steps_undone(run_.books);
+    news_.steps_undone(run_.books);
     progress.ceiling      = retry_factor * tried_dt_;
     progress.failed_until = until;
     progress.retries      = failed.retries;
@@ -267,8 +267,8 @@ namespace whipple
       }
     ++progress.retries;
     ++run_.books.summary.counts.retries;
-    reporter_.log().warning("gone back to step " + std::to_string(run_.record().steps) +
-                            " for a smaller time step: " + error.what());
+    news_.log().warning("gone back to step " + std::to_string(run_.record().steps) +
+                        " for a smaller time step: " + error.what());
   }
 
   template <int dim>
@@ -283,8 +283,8 @@ namespace whipple
         progress.ceiling = std::numeric_limits<double>::infinity();
       }
     run_.record().wall_s               = MPI_Wtime() - wall_start_;
-    run_.books.summary.counts.warnings = reporter_.log().warnings();
-    reporter_.steps_stand(run_.books);
+    run_.books.summary.counts.warnings = news_.log().warnings();
+    news_.steps_stand(run_.books);
     last_good_.keep(run_);
   }
 
@@ -335,7 +335,7 @@ namespace whipple
       record.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
     else
       record.elements = cells_;
-    reporter_.stage_begins(stage_, run_);
+    news_.stage_begins(stage_, run_);
     stand();
   }
 
@@ -357,7 +357,7 @@ namespace whipple
     StageEnd::Left left{};
     for (; (left = time_left()).time > 0; stop_if_collapsed())
       {
-        checkpointing_.after_step(last_good_, reporter_);
+        before_step_();
         try
           {
             advance(left.time);
@@ -372,7 +372,7 @@ namespace whipple
           stand();
       }
     close_record();
-    reporter_.stage_ends(stage_, run_);
+    news_.stage_ends(stage_, run_);
     return left.chain_over;
   }
 

@@ -136,6 +136,8 @@ namespace whipple
         eulerian.set("Mode", "eulerian");
         eulerian.set("Introduces", k == 0 && !first.empty() ? first + ", " + plates[k].name : plates[k].name);
         eulerian.set("End", last ? "until settled within 2 % for 3 us" : "until debris is free of " + plates[k].name);
+        if (!last)
+          eulerian.set("Plates measured", "settled");
         if (k > 0)
           eulerian.set("Representation", has_sizes ? "fragments" : "distended");
         if (last)

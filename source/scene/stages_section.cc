@@ -105,6 +105,14 @@ namespace whipple::sections
         stage.max_time_step = *step;
       stage.lost_kinetic_energy = section.choice<KineticLoss>(
           "Lost kinetic energy", {{"heat", KineticLoss::heat}, {"drop", KineticLoss::drop}});
+      stage.plates_measured = section.choice<PlatesMeasured>(
+          "Plates measured", {{"at the end", PlatesMeasured::at_the_end}, {"settled", PlatesMeasured::settled}});
+      if (section.text("Alpha") != "as the materials say")
+        {
+          stage.void_growth = section.quantity("Alpha", units::void_rate);
+          if (!(*stage.void_growth >= 0))
+            section.reject("Alpha", "allowed are 'as the materials say' and a void growth coefficient >= 0 us/cm^2");
+        }
       LagrangianStage moving; // what is said must make sense in any case
       moving.cohesion = section.choice<Cohesion>(
           "Cohesion", {{"bonded", Cohesion::bonded}, {"graded", Cohesion::graded}, {"fragments", Cohesion::fragments}});
@@ -200,6 +208,12 @@ namespace whipple::sections
         section.declare("Max time step", "none", "none | a time");
         section.declare("Lost kinetic energy", "heat",
                         "what remap and projection cannot keep: heat (into the material) | drop (booked, as in 1993)");
+        section.declare("Plates measured", "at the end",
+                        "eulerian: at the end (of the stage) | settled (on in a copy of the state, until holes and "
+                        "craters have stopped growing)");
+        section.declare("Alpha", "as the materials say",
+                        "as the materials say | alpha of every void law 'rate' in this stage (0.1, 1000 and 1 us/cm^2 "
+                        "in 1993)");
         section.declare("Cohesion", "bonded",
                         "lagrangian: bonded | graded (bonds only where the material is intact) | fragments (every "
                         "element for itself)");

@@ -139,4 +139,37 @@ namespace
     table.holds("says that nothing flies on", outcome.summary().reason.has_value(),
                 outcome.summary().reason.value_or("no"));
   }
+
+  /// The published case with the hand-over 30 % earlier and later: the bumper is followed until its hole has settled,
+  /// so that the hole does not hang on it; nor does the front, nor the verdict.
+  TEST(Shields, HandOverEarlierAndLater)
+  {
+    Case       table("published case, hand-over at 0.65, 0.92, 1.2 us, cells of 0.016 cm",
+                     "hole, front or verdict hang on when the debris is handed over", "eulerian, lagrangian, eulerian");
+    const auto shield = [](const char *end) {
+      return run_file(source_directory() + "/prm/whipple_shield.prm", std::string("handover_") + end,
+                      {"Mesh/Finest cell = 0.016 cm", "Output/Fields interval = none",
+                       "Stages/perforation/Plates measured = settled",
+                       std::string("Stages/perforation/End = ") + end + " us", "Stages/wall/End = for 1 us"});
+    };
+    const Outcome middle = shield("0.92");
+    expect_sound_impact(table, middle);
+    const auto figure = [](const Outcome &outcome, const char *place, const char *quantity) {
+      return std::get<double>(outcome.summary().results.at(place).at(quantity));
+    };
+    const auto perforated = [](const Outcome &outcome) {
+      return std::get<bool>(outcome.summary().results.at("wall").at("perforated"));
+    };
+    for (const char *end : {"0.65", "1.2"})
+      {
+        const Outcome     other = shield(end);
+        const std::string at    = std::string(" at ") + end + " us";
+        table.within("hole" + at + ", cm", figure(other, "bumper", "hole_diameter_cm"),
+                     figure(middle, "bumper", "hole_diameter_cm"), 0.02);
+        table.within("velocity of the leading edge" + at + ", cm/us",
+                     figure(other, "debris", "leading_edge_velocity_cm_per_us"),
+                     figure(middle, "debris", "leading_edge_velocity_cm_per_us"), 0.02);
+        table.holds("the same verdict on the wall" + at, perforated(other) == perforated(middle), "yes");
+      }
+  }
 } // namespace

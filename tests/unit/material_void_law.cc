@@ -354,4 +354,21 @@ namespace whipple
     EXPECT_THROW(EquilibriumVoidLaw(-0.01), InputError);
     EXPECT_NO_THROW(RateVoidLaw(INFINITY, INFINITY));
   }
+
+  /// A stage with a void growth coefficient of its own has the law of that, and no other.
+  TEST(VoidLaw, WithAnotherGrowthCoefficient)
+  {
+    const MieGrueneisen eos({2.785, 0.535, 1.34, 2.});
+    const RateVoidLaw   law(1000., 0.001), other(0.1, 0.001);
+    const auto          changed = law.with_growth(0.1);
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(changed->yielding(eos), other.yielding(eos));
+    const std::vector<double> density{2.6}, energy{0.001};
+    std::vector<double>       phi{0.01}, expected{0.01};
+    changed->advance(eos, 0.1, {density, energy, {}}, phi);
+    other.advance(eos, 0.1, {density, energy, {}}, expected);
+    EXPECT_EQ(phi, expected);
+    EXPECT_NE(phi[0], 0.01);
+    EXPECT_FALSE(EquilibriumVoidLaw(0.001).with_growth(0.1));
+  }
 } // namespace whipple

@@ -58,6 +58,8 @@ namespace
     EXPECT_EQ(is["Stages/debris 1/Cohesion"], "graded") << "what the scene says counts";
     EXPECT_EQ(is["Stages/impact/Introduces"], "wall");
     EXPECT_EQ(is["Stages/impact/Representation"], "fragments");
+    EXPECT_EQ(is["Stages/perforation 1/Plates measured"], "settled");
+    EXPECT_EQ(is.count("Stages/impact/Plates measured"), 0u);
   }
 
   TEST(AutomaticStages, WhatCannotBeOrderedIsNamed)

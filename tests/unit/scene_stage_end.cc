@@ -177,11 +177,33 @@ namespace
     EXPECT_TRUE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
   }
 
+  /// The crater grows as 0.2 (1 - exp(-t)) cm. Looks are a factor 1.1 apart, five of them must agree within half a
+  /// cell, 0.005 cm: from the root of e^(-t/1.1^4) - e^-t = 0.025 on; the first look after that may be one later.
+  TEST(StageEnd, HolesHaveSettled)
+  {
+    double low = 1., high = 20.;
+    for (int i = 0; i < 60; ++i)
+      {
+        const double t                                                        = 0.5 * (low + high);
+        (std::exp(-t / std::pow(1.1, 4)) - std::exp(-t) > 0.025 ? low : high) = t;
+      }
+    EXPECT_NEAR(low, 5.2, 0.4);
+    for (const double step : {0.003, 0.02})
+      {
+        FakeStage    stage;
+        const double end = run(*read("until holes have settled"), stage, step);
+        EXPECT_GE(end, low * (1. - 1e-6));
+        EXPECT_LE(end, 1.1 * low * (1. + 1e-6));
+        EXPECT_NEAR(run(*read("until holes have settled within 3 us"), stage, step), 3., 1e-8);
+      }
+  }
+
   TEST(StageEnd, WhatIsNotUnderstoodIsRefused)
   {
     for (const char *text : {"", "until settled", "until settled within 1 %", "until settled within 1 % for", "0 us",
                              "for -1 us", "until settled within 0 % for 2 us", "until settled within 1 % for 0 us",
-                             "until leading edge reaches moon", "until debris is free of moon", "when it is over"})
+                             "until leading edge reaches moon", "until holes have settled soon",
+                             "until holes have settled within 0 us", "until debris is free of moon", "when it is over"})
       EXPECT_THROW(read(text), InputError) << text;
   }
 } // namespace

@@ -60,6 +60,11 @@ namespace whipple
     stage_ends(const MeasureView<dim> &, MeasureReport &) const
     {
     }
+    /// The plates of a stage that has ended have been followed further, in a copy of the state (Stage::plates_measured).
+    virtual void
+    plates_have_settled(const MeasureView<dim> &, MeasureReport &) const
+    {
+    }
     /// The last stage has ended.
     virtual void
     run_ends(const MeasureView<dim> &, MeasureReport &) const

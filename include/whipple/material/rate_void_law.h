@@ -21,6 +21,8 @@ namespace whipple
     /// alpha / gamma0^2
     double
     yielding(const EquationOfState &eos) const override;
+    std::shared_ptr<const VoidLaw>
+    with_growth(double new_alpha) const override;
     std::string
     name() const override;
 

@@ -4,6 +4,7 @@
 #include <whipple/material/equation_of_state.h>
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -43,6 +44,13 @@ namespace whipple
     yielding(const EquationOfState & /*eos*/) const
     {
       return std::numeric_limits<double>::infinity();
+    }
+
+    /// The same law with another void growth coefficient alpha [us/cm^2]; null if the law has none.
+    virtual std::shared_ptr<const VoidLaw>
+    with_growth(double /*alpha*/) const
+    {
+      return nullptr;
     }
 
     /// Name in scene files, "rate", "equilibrium" ...

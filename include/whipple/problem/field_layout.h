@@ -27,6 +27,10 @@ namespace whipple
     FieldLayout(const Scene<dim> &scene, const std::vector<MaterialModels> &models);
     FieldLayout() = default;
 
+    /// The same for a stage: with its void growth coefficient, if it has one of its own.
+    FieldLayout
+    of_stage(const Stage &stage) const;
+
     /// Whether the bodies of the scene can be told apart in the state.
     bool bodies_separable = false;
 

@@ -2,34 +2,21 @@
 #pragma once
 
 #include <whipple/diagnostics/measure.h>
-#include <whipple/ledger/ledger.h>
 #include <whipple/output/field_output.h>
-#include <whipple/output/run_log.h>
 #include <whipple/output/step_table.h>
 #include <whipple/output/summary.h>
 #include <whipple/problem/problem.h>
-#include <whipple/run/cycle.h>
 #include <whipple/run/run_state.h>
+#include <whipple/run/stage_news.h>
 
 #include <string>
 
 namespace whipple
 {
-  /// Where a stage stands after a step, for those who watch.
-  struct StepNews
-  {
-    const Stage          *stage    = nullptr;
-    long                  step     = 0;
-    double                dt       = 0; ///< us
-    const AgreedTimeStep *limit    = nullptr;
-    long                  cells    = 0; ///< active cells of all ranks
-    double                fraction = 0; ///< of the stage, estimated
-  };
-
   /// Everything a run writes while it runs: log and terminal, statistics.csv, field files, the state after a failure.
   /// How far it has come with that is part of the run state.
   template <int dim>
-  class Reporter
+  class Reporter : public StageNews<dim>
   {
   public:
     /// @param resumed what an earlier part of the run has written: files are cut back to that, the log goes on; null: a
@@ -38,31 +25,31 @@ namespace whipple
              const RunBooks<dim> *resumed);
 
     RunLog &
-    log()
+    log() override
     {
       return log_;
     }
 
     /// Begin a stage: one line, and the fields it starts from.
     void
-    stage_begins(const Stage &stage, RunState<dim> &run);
+    stage_begins(const Stage &stage, RunState<dim> &run) override;
 
     /// The state of the present stage lies on another mesh: for the watches.
     void
-    mesh_is_new(RunState<dim> &run);
+    mesh_is_new(RunState<dim> &run) override;
 
     /// Progress line and statistics row, where it is due. The domain of the run may hold a part of what is present.
     void
-    step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run);
+    step_done(const StepNews &news, const ConservedTotals<dim> &present, RunState<dim> &run) override;
 
     /// Tables of the watches and field file, where they are due, after some steps with the whole domain in place.
     /// @param dt time since the last look, us
     void
-    look(const Stage &stage, double dt, RunState<dim> &run);
+    look(const Stage &stage, double dt, RunState<dim> &run) override;
 
     /// End a stage: its fields and its page of the ledger, per body where bodies can be told apart.
     void
-    stage_ends(const Stage &stage, RunState<dim> &run);
+    stage_ends(const Stage &stage, RunState<dim> &run) override;
 
     /// One line: "bumper hole_diameter_cm 0.68 +- 0.02 (monotone)".
     void
@@ -79,11 +66,11 @@ namespace whipple
 
     /// The steps so far stand.
     void
-    steps_stand(RunBooks<dim> &books);
+    steps_stand(RunBooks<dim> &books) override;
 
     /// The steps since the last steps_stand() were undone: the books are those of then.
     void
-    steps_undone(const RunBooks<dim> &books);
+    steps_undone(const RunBooks<dim> &books) override;
 
   private:
     /// A row of statistics.csv.

@@ -74,6 +74,9 @@ namespace whipple
     /// Hand over to the present stage. @throws StateError, after the state of before has been restored
     void
     enter();
+    /// Go on with a copy of the stage's last state until its plates have settled, and measure them there.
+    void
+    follow_plates(const Stage &stage, const FieldLayout &layout);
     /// The present stage is over.
     void
     finish_stage();

@@ -2,18 +2,20 @@
 #pragma once
 
 #include <whipple/hydro/fragment_release.h>
-#include <whipple/run/checkpointing.h>
 #include <whipple/run/contact.h>
 #include <whipple/run/cycle.h>
 #include <whipple/run/flight.h>
 #include <whipple/run/handover.h>
 #include <whipple/run/last_good.h>
 #include <whipple/run/regridding.h>
-#include <whipple/run/reporter.h>
 #include <whipple/run/run_state.h>
+#include <whipple/run/stage_news.h>
 #include <whipple/run/state_guard.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace whipple
 {
@@ -24,10 +26,11 @@ namespace whipple
   public:
     /// All are kept by reference.
     /// @param run       with the mesh and state that the stage begins with, or is in the middle of
+    /// @param before_step called before each: writes checkpoints, looks whether the run shall stop
     /// @param last_good what failures go back to, kept up to date
     StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
-              const Handover<dim> &handover, const Stage &stage, Reporter<dim> &reporter,
-              Checkpointing<dim> &checkpointing, RunState<dim> &run, LastGood<dim> &last_good);
+              const Handover<dim> &handover, const Stage &stage, StageNews<dim> &news,
+              std::function<void()> before_step, RunState<dim> &run, LastGood<dim> &last_good);
 
     /// From where the run state is to the end of the stage.
     /// @returns why the later stages would have nothing to do, if so
@@ -126,8 +129,8 @@ namespace whipple
     const Regridding<dim> &regridding_;
     const Handover<dim>   &handover_;
     const Stage           &stage_;
-    Reporter<dim>         &reporter_;
-    Checkpointing<dim>    &checkpointing_;
+    StageNews<dim>        &news_;
+    std::function<void()>  before_step_;
     RunState<dim>         &run_;
     LastGood<dim>         &last_good_;
     RigidWalls<dim>        walls_;

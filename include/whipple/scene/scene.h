@@ -98,6 +98,13 @@ namespace whipple
   };
 
   /// One link of the chain.
+  /// Until when an Eulerian stage follows its plates.
+  enum class PlatesMeasured
+  {
+    at_the_end, ///< of the stage
+    settled     ///< on in a copy of the state, until holes and craters have stopped growing
+  };
+
   struct Stage
   {
     std::string                     name;
@@ -105,6 +112,8 @@ namespace whipple
     std::shared_ptr<const StageEnd> end;
     double                          max_time_step       = std::numeric_limits<double>::infinity(); ///< us
     KineticLoss                     lost_kinetic_energy = KineticLoss::heat; ///< by remap and projection
+    PlatesMeasured                  plates_measured     = PlatesMeasured::at_the_end;
+    std::optional<double>           void_growth; ///< us/cm^2, alpha of every rate void law; none: as the materials say
     /// What the elements of a Lagrangian stage before it are laid down as.
     std::shared_ptr<const Representation> representation;
 
