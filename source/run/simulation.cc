@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <variant>
 
 namespace whipple
 {
@@ -180,7 +181,7 @@ namespace whipple
            [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, last_good_);
     const std::optional<std::string> chain_over = loop.run();
     measure(&Measure<dim>::stage_ends);
-    if (stage.plates_measured == PlatesMeasured::settled && !measured_plates(scene_, state_.books.stage).empty())
+    if (stage.plates_measured == PlatesMeasured::settled && plates_are_seen())
       follow_plates(stage, layout);
     if (chain_over && state_.books.stage + 1 < scene_.stages.size())
       {
@@ -190,6 +191,18 @@ namespace whipple
         state_.books.stage          = scene_.stages.size() - 1;
       }
     finish_stage();
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::plates_are_seen() const
+  {
+    const auto plates = measured_plates(scene_, state_.books.stage);
+    return std::any_of(plates.begin(), plates.end(), [&](std::size_t plate) {
+      const auto results = state_.books.summary.results.find(scene_.bodies[plate].name);
+      return results != state_.books.summary.results.end() &&
+             std::holds_alternative<bool>(results->second.at("perforated"));
+    });
   }
 
   namespace

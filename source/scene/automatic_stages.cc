@@ -135,7 +135,8 @@ namespace whipple
         Entries eulerian(chain, stage);
         eulerian.set("Mode", "eulerian");
         eulerian.set("Introduces", k == 0 && !first.empty() ? first + ", " + plates[k].name : plates[k].name);
-        eulerian.set("End", last ? "until settled within 2 % for 3 us" : "until debris is free of " + plates[k].name);
+        eulerian.set("End", last ? "until holes have settled and debris has reached " + plates[k].name
+                                 : "until debris is free of " + plates[k].name);
         if (!last)
           eulerian.set("Plates measured", "settled");
         if (k > 0)

@@ -2,8 +2,10 @@
 #include <whipple/scene/stage_end.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
 
 namespace whipple
 {
@@ -13,13 +15,21 @@ namespace whipple
     ///
     /// Looks are made at times t_n = growth^n t_0 after the start, t_0 the first step. The end is there when over the
     /// last `looks` looks (the last third of the time) none has changed by more than `share` of its largest value, nor
-    /// by more than half a finest cell (if that is below `small` of it), whichever is more, and there is one. The
-    /// memory holds the time of the next look, the number of values, and the last rows of values.
+    /// by more than half a finest cell (if that is below `small` of it), whichever is more. As long as there is no hole
+    /// and no crater, kinetic energies are looked at instead: what meets a plate loses some. The memory holds the time
+    /// of the next look, the number of values, and the last rows of values.
     class EndWhenHolesSettle : public StageEnd
     {
     public:
-      explicit EndWhenHolesSettle(double latest)
+      /// What is before a plane across axis 1 [cm] and faster along it than `velocity` [cm/us] is on its way to it.
+      struct Target
+      {
+        double plane, velocity;
+      };
+
+      EndWhenHolesSettle(double latest, std::optional<Target> target)
         : latest_(latest)
+        , target_(target)
       {
       }
       double
@@ -40,14 +50,15 @@ namespace whipple
           {
             if (!(past > 0))
               return {std::numeric_limits<double>::infinity(), stage.time()};
-            memory = {past, 0.};
+            memory = {past, 0., on_its_way(stage)};
           }
         if (past >= latest_ * (1. - 1e-9))
           return {0., stage.time()};
         if (past >= memory[0] * (1. - 1e-9))
           {
-            memory[0] = past * growth;
-            if (remember(stage, memory))
+            memory[0]          = past * growth;
+            const bool settled = remember(stage, memory);
+            if (settled && on_its_way(stage) <= late * memory[2])
               return {0., stage.time()};
           }
         const double next = std::min(memory[0], latest_);
@@ -55,58 +66,93 @@ namespace whipple
       }
 
     private:
-      static constexpr double      growth = 1.1, share = 0.02, cells = 0.5, small = 0.1;
+      static constexpr double      growth = 1.1, share = 0.02, cells = 0.5, small = 0.1, late = 0.02;
       static constexpr std::size_t looks = 5; // 1.1^4 = 1.46
 
-      /// Add a row. @returns whether the last rows agree, and there is something
+      /// Momentum along axis 1, g cm/us.
+      double
+      on_its_way(const StageView &stage) const
+      {
+        if (!target_)
+          return 0.;
+        const double everywhere = -std::numeric_limits<double>::infinity();
+        return stage.beyond(everywhere, target_->velocity).momentum -
+               stage.beyond(target_->plane, target_->velocity).momentum;
+      }
+
+      static bool
+      is_of_plate(const std::string &name)
+      {
+        return name.starts_with("hole of ") || name.starts_with("crater of ");
+      }
+
+      /// Add a row. @returns whether the last rows agree
       static bool
       remember(const StageView &stage, std::vector<double> &memory)
       {
-        std::vector<double> row;
-        for (const auto &[name, value] : stage.watched())
-          if (name.starts_with("hole of ") || name.starts_with("crater of "))
-            row.push_back(value);
-        const std::size_t n = row.size(), first = 2;
+        constexpr std::size_t               first   = 3;
+        const std::map<std::string, double> watched = stage.watched();
+        const std::size_t                   n       = watched.size();
         if (memory[1] != static_cast<double>(n))
           memory.resize(first);
         memory[1] = static_cast<double>(n);
-        memory.insert(memory.end(), row.begin(), row.end());
+        for (const auto &[name, value] : watched)
+          memory.push_back(value);
         if (memory.size() > first + looks * n)
           memory.erase(memory.begin() + first, memory.begin() + first + n);
-        if (memory.size() < first + looks * n || std::all_of(row.begin(), row.end(), [](double v) { return !(v > 0); }))
+        if (memory.size() < first + looks * n)
           return false;
-        for (std::size_t i = 0; i < n; ++i)
-          {
-            double low = std::numeric_limits<double>::infinity(), high = -low;
-            for (std::size_t k = first + i; k < memory.size(); k += n)
-              {
-                low  = std::min(low, memory[k]);
-                high = std::max(high, memory[k]);
-              }
-            if (high - low > std::max(share * high, std::min(cells * stage.finest_cell(), small * high)))
-              return false;
-          }
+        const bool  has_hole = std::any_of(watched.begin(), watched.end(), [](const auto &entry) {
+          return is_of_plate(entry.first) && entry.second > 0;
+        });
+        std::size_t i        = first;
+        for (const auto &[name, value] : watched)
+          if (const std::size_t column = i++; is_of_plate(name) == has_hole)
+            {
+              double low = std::numeric_limits<double>::infinity(), high = -low;
+              for (std::size_t k = column; k < memory.size(); k += n)
+                {
+                  low  = std::min(low, memory[k]);
+                  high = std::max(high, memory[k]);
+                }
+              const double slack = has_hole ? std::min(cells * stage.finest_cell(), small * high) : 0.;
+              if (high - low > std::max(share * high, slack))
+                return false;
+            }
         return true;
       }
 
-      double latest_; ///< us since the start
+      double                latest_; ///< us since the start
+      std::optional<Target> target_;
     };
 
     const StageEndRegistration registration(
         "until holes have settled",
-        {"'until holes have settled', '... within 10 us'",
-         "when in the last third of the time no hole or crater has grown by more than 2 %; at the latest after that "
-         "time",
+        {"'until holes have settled', '... and debris has reached BODY', '... within 10 us'",
+         "when in the last third of the time no hole or crater has grown by more than 2 %, and all but 2 % of the "
+         "debris has "
+         "come to that body; at the latest after that time",
          [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
-           const std::string within = "within ";
-           if (input.rest.empty())
-             return std::make_shared<EndWhenHolesSettle>(std::numeric_limits<double>::infinity());
-           if (!input.rest.starts_with(within))
-             input.reject("allowed is 'until holes have settled' or 'until holes have settled within 10 us'");
-           const double latest = input.value(input.rest.substr(within.size()), units::time);
+           constexpr double  least_part = 0.1;
+           const std::string within = "within ", reached = "and debris has reached ";
+           std::string       rest   = input.rest;
+           double            latest = std::numeric_limits<double>::infinity();
+           if (const std::size_t at = rest.rfind(within); at != std::string::npos && (at == 0 || rest[at - 1] == ' '))
+             {
+               latest = input.value(rest.substr(at + within.size()), units::time);
+               rest.erase(at == 0 ? 0 : at - 1);
+             }
            if (!(latest > 0))
              input.reject("allowed is a time > 0 us");
-           return std::make_shared<EndWhenHolesSettle>(latest);
+           if (rest.empty())
+             return std::make_shared<EndWhenHolesSettle>(latest, std::nullopt);
+           if (!rest.starts_with(reached))
+             input.reject(
+                 "allowed is 'until holes have settled', followed by 'and debris has reached BODY', 'within 10 us', "
+                 "or both");
+           const std::size_t body = input.body(rest.substr(reached.size()));
+           return std::make_shared<EndWhenHolesSettle>(
+               latest, EndWhenHolesSettle::Target{input.fronts[body], least_part * input.largest_speed});
          }});
   } // namespace
 } // namespace whipple

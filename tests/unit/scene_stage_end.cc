@@ -15,7 +15,7 @@ namespace
   class FakeStage : public StageView
   {
   public:
-    double now = 0, begin = 0, tau = 1;
+    double now = 0, begin = 0, tau = 1, tau_of_arrival = 1;
 
     double
     time() const override
@@ -46,7 +46,7 @@ namespace
     beyond(double plane, double) const override
     {
       // beyond the plate nothing for 0.1 us, then momentum that tends to 1; 1 in all
-      return {1., plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau)};
+      return {1., plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau_of_arrival)};
     }
     std::map<std::string, double>
     watched() const override
@@ -195,6 +195,13 @@ namespace
         EXPECT_GE(end, low * (1. - 1e-6));
         EXPECT_LE(end, 1.1 * low * (1. + 1e-6));
         EXPECT_NEAR(run(*read("until holes have settled within 3 us"), stage, step), 3., 1e-8);
+        // what is on its way falls as e^-t from t = 0.1 us on; an arrival that is late is waited for
+        stage.tau_of_arrival = 4.;
+        const double last    = run(*read("until holes have settled and debris has reached wall"), stage, step);
+        EXPECT_GE(last, 0.1 - 4. * std::log(0.02) - 1e-6);
+        EXPECT_LE(last, 1.1 * (0.1 - 4. * std::log(0.02)) + 0.1);
+        EXPECT_NEAR(run(*read("until holes have settled and debris has reached wall within 9 us"), stage, step), 9.,
+                    1e-8);
       }
   }
 

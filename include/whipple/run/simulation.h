@@ -74,6 +74,9 @@ namespace whipple
     /// Hand over to the present stage. @throws StateError, after the state of before has been restored
     void
     enter();
+    /// Whether a plate of the present stage could be measured at its end: thinner than a cell, it cannot.
+    bool
+    plates_are_seen() const;
     /// Go on with a copy of the stage's last state until its plates have settled, and measure them there.
     void
     follow_plates(const Stage &stage, const FieldLayout &layout);
