@@ -271,6 +271,7 @@ set(WHIPPLE_DEALII
     source/problem/warnings_of_motion.cc
     source/study/analysis.cc
     source/study/cell_ladder.cc
+    source/study/child_process.cc
     source/study/child_run.cc
     source/study/convergence.cc
     source/study/cost_law.cc

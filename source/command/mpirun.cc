@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/command/mpirun.h>
 #include <whipple/error.h>
+#include <whipple/study/child_process.h>
 
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,20 +26,6 @@ namespace whipple::mpirun
         {"OMPI_MCA_btl_base_warn_component_unused", "0"},
         {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}, // containers forbid it, loudly
     }};
-
-    constexpr int cannot_start = 127;
-
-    /// The child's side of the fork: only calls that are safe there.
-    [[noreturn]] void
-    execute(char *const *words, pid_t parent, const sigset_t &signals)
-    {
-      setpgid(0, 0); // what the terminal sends goes to the parent alone
-      prctl(PR_SET_PDEATHSIG, SIGTERM);
-      sigprocmask(SIG_SETMASK, &signals, nullptr);
-      if (getppid() == parent)
-        execvp(words[0], words);
-      _exit(cannot_start);
-    }
 
     /// Wait for mpirun and pass signals on to the ranks. It would end them within a second of a SIGTERM or SIGINT;
     /// SIGUSR1 and SIGUSR2 it only passes on, and to a rank SIGUSR2 means: stop.
@@ -82,27 +65,21 @@ namespace whipple::mpirun
         setenv(name, "1", keep);
     setenv(terminal_variable, isatty(STDOUT_FILENO) == 1 ? "1" : "0", 1);
 
-    const std::string        program = std::filesystem::read_symlink("/proc/self/exe");
-    std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks), program};
+    std::vector<std::string> words{"mpirun", "-n", std::to_string(ranks), child_process::this_program()};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char *> argv;
-    for (std::string &word : words)
-      argv.push_back(word.data());
-    argv.push_back(nullptr);
 
     sigset_t awaited, before;
     sigemptyset(&awaited);
     for (const int signal : {SIGTERM, SIGINT, SIGUSR1, SIGCHLD})
       sigaddset(&awaited, signal);
     sigprocmask(SIG_BLOCK, &awaited, &before);
-    const pid_t parent = getpid(), child = fork();
-    if (child == 0)
-      execute(argv.data(), parent, before);
-    if (child < 0)
-      throw Error(std::string("mpirun cannot be started: ") + std::strerror(errno));
-    const int status = wait_for(child, awaited);
+    const pid_t child  = child_process::start(std::move(words), [&before] {
+      setpgid(0, 0); // what the terminal sends goes to the parent alone
+      return sigprocmask(SIG_SETMASK, &before, nullptr) == 0;
+    });
+    const int   status = wait_for(child, awaited);
     sigprocmask(SIG_SETMASK, &before, nullptr);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == cannot_start)
+    if (WIFEXITED(status) && WEXITSTATUS(status) == child_process::cannot_start)
       throw Error("mpirun cannot be started: is Open MPI installed?");
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }

@@ -86,10 +86,11 @@ namespace whipple
         const Stage &stage = view.scene.stages[view.stage];
         if (stage.mode() != StageMode::lagrangian)
           return;
-        const double        origin = stage.lagrangian->debris.behind
-                                         ? extent(view.scene.bodies[*stage.lagrangian->debris.behind].shape).upper[1]
-                                         : 0.;
-        const DebrisMeasure m      = measure_debris<dim>(
+        const double origin =
+            stage.lagrangian->debris.behind
+                ? extent(view.scene.bodies[*stage.lagrangian->debris.behind].shape).upper[flight_axis<dim>]
+                : 0.;
+        const DebrisMeasure m = measure_debris<dim>(
             view.mesh, view.state, [](Index) { return true; }, origin, view.communicator);
         report.results[stage.name].merge(debris_results(m, projectile_velocity(view), view.state.time, prefix));
       }

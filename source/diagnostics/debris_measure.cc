@@ -54,8 +54,8 @@ namespace whipple
             {
               const Index n = mesh.cell_node[c * corners + k];
               p.radius += state.position[0][n] / corners;
-              p.axial += state.position[1][n] / corners;
-              p.axial_velocity += state.corner_weight[c * corners + k] * state.velocity[1][n];
+              p.axial += state.position[flight_axis<dim>][n] / corners;
+              p.axial_velocity += state.corner_weight[c * corners + k] * state.velocity[flight_axis<dim>][n];
             }
           p.radius = std::abs(p.radius);
           parcels.push_back(p);
@@ -111,7 +111,7 @@ namespace whipple
       for (const MaterialState &m : state.material)
         if (m.mass[c] > 0)
           for (int k = 0; k < corners; ++k)
-            foremost = std::max(foremost, state.position[1][mesh.cell_node[c * corners + k]]);
+            foremost = std::max(foremost, state.position[flight_axis<dim>][mesh.cell_node[c * corners + k]]);
     return max_over_ranks(foremost, communicator);
   }
 

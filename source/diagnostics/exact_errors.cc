@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/exact_errors.h>
 #include <whipple/initial/exact_means.h>
-#include <whipple/initial/initial_state.h>
 #include <whipple/ledger/exact_sum.h>
+#include <whipple/mesh/cell_corners.h>
 #include <whipple/mesh/collective.h>
 
 #include <array>
@@ -69,10 +69,9 @@ namespace whipple
     template <int dim>
     void
     add_velocities(const exact::ExactSolution<dim> &solution, const FlatMesh<dim> &mesh, const State<dim> &state,
-                   const geometry::Quad &x, Index c, Norms &norms)
+                   const CornerVectors<dim> &x, Index c, Norms &norms)
     {
-      const auto corner = mesh.symmetry == Symmetry::planar ? geometry::corner_volume<Symmetry::planar>(x)
-                                                            : geometry::corner_volume<Symmetry::axisymmetric>(x);
+      const CornerValues<dim> corner = corner_volume<dim>(mesh.symmetry, x);
       for (int k = 0; k < FlatMesh<dim>::corners; ++k)
         {
           const Index       n        = mesh.cell_node[c * FlatMesh<dim>::corners + k];
@@ -97,8 +96,8 @@ namespace whipple
     std::map<std::string, Norms> norms{{"density", {}}, {"energy", {}}, {"pressure", {}}, {"velocity", {}}};
     for (Index c = 0; c < mesh.n_owned; ++c)
       {
-        const geometry::Quad x = cell_corners(mesh, state, c);
-        if (!solution.counts(cell_middle(x), state.time))
+        const CornerVectors<dim> x = cell_corners(mesh, state.position, c);
+        if (!solution.counts(CellShape<dim>::middle(x), state.time))
           continue;
         const double          volume = state.volume[c];
         const ExactMeans<dim> exact =

@@ -39,13 +39,13 @@ namespace whipple
       return key_point<dim>(mesh.key[c])[0] == 0;
     }
 
-    /// Length along axis 1 of what stands in the cell beyond c, if that is not a surface itself.
+    /// Length along the line of flight of what stands in the cell beyond c, if that is not a surface itself.
     template <int dim>
     double
     length_beyond(const MeasureView<dim> &view, std::size_t body, bool rear, Index c)
     {
       const FlatMesh<dim> &mesh    = view.mesh;
-      const auto           begin   = [&](Index i) { return key_point<dim>(mesh.key[i])[1]; };
+      const auto           begin   = [&](Index i) { return key_point<dim>(mesh.key[i])[flight_axis<dim>]; };
       const auto           end     = [&](Index i) { return begin(i) + view.scene.lattice.extent(mesh.level[i]); };
       const auto           touches = [&](Index i) { return rear ? begin(i) == end(c) : end(i) == begin(c); };
       for (Index i = 0; i < mesh.n_cells; ++i)
@@ -67,9 +67,10 @@ namespace whipple
         if (!is_at_side(mesh, c) || filled_by(view, body, c) < least_share)
           continue;
         SurfacePoint<dim> surface;
-        surface.point.cell     = c;
-        surface.point.local[1] = moving ? (rear ? 1. : 0.) : (rear ? filled(view, c) : 1. - filled(view, c));
-        surface.position       = at_point<dim>(mesh, view.state.position, surface.point)[1];
+        surface.point.cell = c;
+        surface.point.local[flight_axis<dim>] =
+            moving ? (rear ? 1. : 0.) : (rear ? filled(view, c) : 1. - filled(view, c));
+        surface.position = at_point<dim>(mesh, view.state.position, surface.point)[flight_axis<dim>];
         if (outermost.point.cell == none ||
             (rear ? surface.position > outermost.position : surface.position < outermost.position))
           outermost = surface;

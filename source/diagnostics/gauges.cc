@@ -255,7 +255,7 @@ namespace whipple
                          at_point<dim>(view.mesh, view.state.position, point),
                          at_point<dim>(view.mesh, view.state.velocity, point)};
         if (surface)
-          found.position[1] = *surface;
+          found.position[flight_axis<dim>] = *surface;
         return found;
       }
 
@@ -264,8 +264,9 @@ namespace whipple
       is_before(const Found<dim> &a, const Found<dim> &b) const
       {
         const Gauge<dim> &gauge = gauges_[a.gauge];
-        if (gauge.kind == GaugeKind::surface_velocity && a.position[1] != b.position[1])
-          return gauge.rear ? a.position[1] > b.position[1] : a.position[1] < b.position[1];
+        if (gauge.kind == GaugeKind::surface_velocity && a.position[flight_axis<dim>] != b.position[flight_axis<dim>])
+          return gauge.rear ? a.position[flight_axis<dim>] > b.position[flight_axis<dim>]
+                            : a.position[flight_axis<dim>] < b.position[flight_axis<dim>];
         return a.key < b.key;
       }
 
@@ -356,7 +357,8 @@ namespace whipple
 
             std::vector<double> row{time};
             if (gauges_[g].kind == GaugeKind::surface_velocity)
-              row.insert(row.end(), {found[g] ? found[g]->position[1] : no_value, velocity(1)});
+              row.insert(row.end(),
+                         {found[g] ? found[g]->position[flight_axis<dim>] : no_value, velocity(flight_axis<dim>)});
             else
               row.insert(row.end(), gauges[g].position.begin(), gauges[g].position.end());
             for (std::size_t n = 0; n < gauges_[g].fields.size(); ++n)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/mesh_point.h>
-#include <whipple/initial/initial_state.h>
+#include <whipple/mesh/cell_corners.h>
 #include <whipple/state/corner_velocity.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace whipple
     }
 
     bool
-    in_box(const geometry::Quad &x, const Vector<2> &point)
+    in_box(const CornerVectors<2> &x, const Vector<2> &point)
     {
       for (int d = 0; d < 2; ++d)
         {
@@ -37,7 +37,7 @@ namespace whipple
     /// Newton's method for the point of the unit square whose image is x, from its middle. False if it leaves the
     /// square or the element is folded there.
     bool
-    invert(const geometry::Quad &corner, const Vector<2> &x, Vector<2> &local)
+    invert(const CornerVectors<2> &corner, const Vector<2> &x, Vector<2> &local)
     {
       constexpr int most_iterations = 30;
       local                         = {{0.5, 0.5}};
@@ -114,8 +114,8 @@ namespace whipple
       {
         if (best.cell != none && mesh.key[c] > mesh.key[best.cell])
           continue;
-        const geometry::Quad corner = cell_corners(mesh, state, c);
-        Vector<dim>          local{};
+        const CornerVectors<2> corner = cell_corners(mesh, state.position, c);
+        Vector<dim>            local{};
         if (in_box(corner, x) && cell_mass(state, c) > 0 && invert(corner, x, local))
           best = {c, local};
       }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/shock_measure.h>
-#include <whipple/initial/initial_state.h>
+#include <whipple/mesh/cell_corners.h>
 #include <whipple/mesh/gather.h>
+#include <whipple/state/corner_velocity.h>
 
 #include <algorithm>
 #include <array>
@@ -51,7 +52,7 @@ namespace whipple
 
     /// Whether the ray meets the cell: corners on both sides of its line, in front of its origin.
     bool
-    meets(const Ray &ray, const geometry::Quad &x)
+    meets(const Ray &ray, const CornerVectors<2> &x)
     {
       bool left = false, right = false, ahead = false;
       for (int k = 0; k < 4; ++k)
@@ -131,8 +132,9 @@ namespace whipple
           return std::nullopt;
         std::vector<Sample> own;
         for (Index c = 0; c < mesh.n_owned; ++c)
-          if (const geometry::Quad x = cell_corners(mesh, state, c); meets(ray, x))
-            own.push_back({*solution.profile_coordinate(cell_middle(x)), cell_mass(state, c) / state.volume[c]});
+          if (const CornerVectors<2> x = cell_corners(mesh, state.position, c); meets(ray, x))
+            own.push_back(
+                {*solution.profile_coordinate(CellShape<2>::middle(x)), cell_mass(state, c) / state.volume[c]});
         if (const auto x = nearest_crossing(samples_of_all_ranks(own, communicator), level, *shock))
           found.push_back(*x);
       }

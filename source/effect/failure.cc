@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/effect/effect.h>
 #include <whipple/error.h>
-#include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/deviator.h>
 #include <whipple/hydro/solid_state.h>
 
 namespace whipple
@@ -32,7 +32,7 @@ namespace whipple
 
     private:
       void
-      advance_material(State<2> &state, const std::vector<double> &pressure, const MaterialWork &before, double dt,
+      advance_material(State<2> &state, const std::vector<double> &pressure, const MaterialWork<2> &before, double dt,
                        std::size_t m)
       {
         MaterialState &material = state.material[m];
@@ -53,15 +53,13 @@ namespace whipple
       }
 
       void
-      measure_plastic_flow(const State<2> &state, const MaterialState &material, const MaterialWork &before)
+      measure_plastic_flow(const State<2> &state, const MaterialState &material, const MaterialWork<2> &before)
       {
-        const auto &s00    = material.fields[state.index.stress_00].value;
-        const auto &s11    = material.fields[state.index.stress_11].value;
-        const auto &s01    = material.fields[state.index.stress_01].value;
-        const auto &strain = material.fields[state.index.plastic_strain].value;
+        const StoredDeviator<2> stress(material, state.index);
+        const auto             &strain = material.fields[state.index.plastic_strain].value;
         for (Index c = 0; c < state.n_cells(); ++c)
           {
-            equivalent_stress_[c] = plasticity::equivalent_stress(plasticity::Deviator<double>{s00[c], s11[c], s01[c]});
+            equivalent_stress_[c] = stress.at(c).equivalent();
             plastic_increment_[c] = strain[c] - before.plastic_strain[c];
           }
       }

@@ -29,7 +29,7 @@ namespace whipple
 
     private:
       void
-      advance_material(MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork &before,
+      advance_material(MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork<2> &before,
                        double dt, std::size_t m)
       {
         std::vector<double> &share = material.fields[share_].value, &moment = material.fields[moment_].value;
@@ -52,7 +52,7 @@ namespace whipple
 
       /// What the cells are like that break in this step.
       void
-      look_at(const MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork &before,
+      look_at(const MaterialState &material, const std::vector<double> &sound_speed, const MaterialWork<2> &before,
               double dt, std::size_t m)
       {
         for (auto *array : {&density_, &energy_, &sound_speed_, &rate_, &size_})

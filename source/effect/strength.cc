@@ -17,12 +17,21 @@ namespace whipple
         return kept_unknown();
       const double ratio = outlook.least(&Encounter::stress);
       const bool   on    = ratio < least_stress_ratio;
-      return {
-          "", on, ratio,
-          "shock pressure / yield stress" +
-              std::string(on ? ": flow stops, and holes and craters end, where the pressure has fallen to the yield "
-                               "stress"
-                             : ": hydrodynamic throughout")};
+      return {"", on, ratio,
+              std::string("shock pressure / yield stress") +
+                  (on ? ": flow stops, and holes and craters end, where the pressure has fallen to the yield stress"
+                      : ": hydrodynamic throughout")};
+    }
+
+    template <int dim>
+    std::vector<FieldDescription>
+    fields_of()
+    {
+      std::vector<FieldDescription> fields;
+      for (const char *component : DeviatorStorage<dim>::field)
+        fields.push_back({component, "Mbar", Carrier::volume});
+      fields.push_back({"plastic strain", "1", Carrier::mass});
+      return fields;
     }
 
     const StepOptionRegistration registration({
@@ -32,10 +41,7 @@ namespace whipple
             "Shear stress of the solid, turned with the material (Jaumann rate), limited by the yield stress "
             "of the material's strength model, scaled with 1 - phi. Matters where the shock pressure is no "
             "more than some ten times the yield stress, and late, when the pressure is gone.",
-        .fields    = {{"deviatoric stress 00", "Mbar", Carrier::volume},
-                      {"deviatoric stress 11", "Mbar", Carrier::volume},
-                      {"deviatoric stress 01", "Mbar", Carrier::volume},
-                      {"plastic strain", "1", Carrier::mass}},
+        .fields    = fields_of<2>(),
         .family    = "Strength",
         .judge     = judge,
         .leave_out = [](Material &material) { material.strength = nullptr; },

@@ -4,8 +4,8 @@
 #include <whipple/hydro/cell_kernels.h>
 #include <whipple/hydro/cell_viscosity.h>
 #include <whipple/hydro/closure.h>
+#include <whipple/hydro/deviator.h>
 #include <whipple/hydro/hourglass.h>
-#include <whipple/hydro/plasticity.h>
 #include <whipple/hydro/trace.h>
 #include <whipple/hydro/velocity_gradient.h>
 
@@ -16,11 +16,12 @@ namespace whipple::cell_kernels
   namespace
   {
     /// Volume-weighted means over the materials of a pack of cells at half step.
+    template <int dim>
     struct MeanState
     {
-      Pack                       pressure    = 0.; ///< sum f P, Mbar
-      Pack                       sound_speed = 0.; ///< mass-weighted, cm/us
-      plasticity::Deviator<Pack> stress{0., 0., 0.};
+      Pack                pressure    = 0.; ///< sum f P, Mbar
+      Pack                sound_speed = 0.; ///< mass-weighted, cm/us
+      Deviator<dim, Pack> stress      = Deviator<dim, Pack>::zero();
     };
 
     /// How a pack of cells is filled.
@@ -86,10 +87,7 @@ namespace whipple::cell_kernels
     Pack
     least_pressure(const State<dim> &state, const MaterialState &material, Index first)
     {
-      Pack least = plasticity::least_principal(
-          plasticity::Deviator<Pack>{load(material.fields[state.index.stress_00].value, first),
-                                     load(material.fields[state.index.stress_11].value, first),
-                                     load(material.fields[state.index.stress_01].value, first)});
+      Pack least = StoredDeviator<dim>(material, state.index).load(first).least_principal();
       if (material.has_voids())
         least *= 1. - load(material.void_fraction, first);
       return least;
@@ -97,29 +95,24 @@ namespace whipple::cell_kernels
 
     /// Half-step deviator of one material.
     template <int dim>
-    plasticity::Deviator<Pack>
+    Deviator<dim, Pack>
     half_stress(const State<dim> &state, const MaterialState &material, const DerivedMaterial &derived,
-                const plasticity::Rates<Pack> &rate, double half_dt, Index first)
+                const DeformationRate<dim, Pack> &rate, double half_dt, Index first)
     {
-      const plasticity::Deviator<Pack> old{load(material.fields[state.index.stress_00].value, first),
-                                           load(material.fields[state.index.stress_11].value, first),
-                                           load(material.fields[state.index.stress_01].value, first)};
-      const plasticity::Deviator<Pack> trial = plasticity::stretch(plasticity::rotate(old, rate.spin, half_dt), rate,
-                                                                   load(derived.shear_modulus, first), half_dt);
-      return plasticity::return_radially(trial, plasticity::equivalent_stress(trial),
-                                         load(derived.yield_stress, first));
+      const Deviator<dim, Pack> trial = elastic_trial(StoredDeviator<dim>(material, state.index).load(first), rate,
+                                                      load(derived.shear_modulus, first), half_dt);
+      return returned(trial, trial.equivalent(), load(derived.yield_stress, first));
     }
 
     template <bool strength, int dim>
-    MeanState
-    mean_state(const State<dim> &state, const Derived &derived, const VelocityGradient<Pack> &gradient,
+    MeanState<dim>
+    mean_state(const State<dim> &state, const Derived &derived, const VelocityGradient<dim, Pack> &gradient,
                const Filling &fill, double dt, Index first, StepWork<dim> &work)
     {
-      const Pack volume    = load(state.volume, first);
-      const Pack expansion = 0.5 * dt * gradient.divergence();
-      const auto rate =
-          plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
-      MeanState mean;
+      const Pack                       volume    = load(state.volume, first);
+      const Pack                       expansion = 0.5 * dt * gradient.divergence();
+      const DeformationRate<dim, Pack> rate(gradient);
+      MeanState<dim>                   mean;
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState   &material = state.material[m];
@@ -150,9 +143,7 @@ namespace whipple::cell_kernels
                 Pack       solid = share;
                 if (material.has_voids())
                   solid *= 1. - load(material.void_fraction, first);
-                mean.stress.s00 += solid * s.s00;
-                mean.stress.s11 += solid * s.s11;
-                mean.stress.s01 += solid * s.s01;
+                mean.stress = add_scaled(mean.stress, solid, s);
               }
         }
       const Pack mass  = load(work.mass, first);
@@ -163,13 +154,13 @@ namespace whipple::cell_kernels
     /// Write the forces of the corners of a pack of cells.
     template <int dim>
     void
-    store_forces(const geometry::QuadOf<Pack> &force, Index first, StepWork<dim> &work)
+    store_forces(const CornerVectors<dim, Pack> &force, Index first, StepWork<dim> &work)
     {
       const Index end = std::min<Index>(static_cast<Index>(work.mass.size()), first + pack_size);
       for (Index cell = first; cell < end; ++cell)
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < FlatMesh<dim>::corners; ++k)
           for (int d = 0; d < dim; ++d)
-            work.corner_force[(cell * 4 + k) * dim + d] = force[d][k][cell - first];
+            work.corner_force[(cell * FlatMesh<dim>::corners + k) * dim + d] = force[d][k][cell - first];
     }
 
     template <Symmetry symmetry, bool strength, ViscosityKind kind, int dim>
@@ -177,22 +168,24 @@ namespace whipple::cell_kernels
     corner_forces_of(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                      const HydroParameters &parameters, double dt, StepWork<dim> &work)
     {
+      using Cell = CellGeometry<dim, symmetry>;
       for (Index first = 0, pack = 0; first < mesh.n_cells; first += pack_size, ++pack)
         {
-          const geometry::QuadOf<Pack> x = gather_corners(mesh, work.half_position, first);
-          const geometry::QuadOf<Pack> v = gather_corners(mesh, state.velocity, first);
+          const CornerVectors<dim, Pack> x = gather_corners(mesh, work.half_position, first);
+          const CornerVectors<dim, Pack> v = gather_corners(mesh, state.velocity, first);
 
-          HalfStepPack &half   = work.half_step[pack];
-          half.volume_gradient = geometry::volume_gradient<symmetry>(x);
-          half.hoop            = geometry::hoop_weight<symmetry>(x);
-          half.volume          = geometry::volume<symmetry>(x);
-          half.hourglass_shape = {hourglass::moment(x[0]), hourglass::moment(x[1])};
+          HalfStepPack<dim> &half = work.half_step[pack];
+          half.volume_gradient    = Cell::volume_gradient(x);
+          half.hoop               = Cell::hoop_weight(x);
+          half.volume             = Cell::volume(x);
+          for (int d = 0; d < dim; ++d)
+            half.hourglass_shape[d] = hourglass::moment(x[d]);
 
-          const auto      gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
-          const Pack      strain   = -dt * gradient.divergence();
-          const Filling   fill     = filling(state, derived, load(state.volume, first), strain, work, first);
-          const MeanState mean     = mean_state<strength>(state, derived, gradient, fill, dt, first, work);
-          const Pack      mass = load(work.mass, first), inverse = 1. / half.volume;
+          const auto           gradient = velocity_gradient<dim>(half.volume_gradient, half.hoop, half.volume, v);
+          const Pack           strain   = -dt * gradient.divergence();
+          const Filling        fill     = filling(state, derived, load(state.volume, first), strain, work, first);
+          const MeanState<dim> mean     = mean_state<strength>(state, derived, gradient, fill, dt, first, work);
+          const Pack           mass = load(work.mass, first), inverse = 1. / half.volume;
           if constexpr (kind == ViscosityKind::scalar)
             {
               half.viscosity = artificial_viscosity(parameters, x, v, gradient.divergence(), Pack(mass * inverse),
@@ -202,33 +195,31 @@ namespace whipple::cell_kernels
           else
             half.viscosity = 0.;
 
-          Pack area = half.volume;
-          if constexpr (symmetry == Symmetry::axisymmetric)
-            area = (half.hoop[0] + half.hoop[1] + half.hoop[2] + half.hoop[3]) * (0.5 / std::numbers::pi);
-          const Pack resistance = select(
-              mass > 0., 0.25 * parameters.hourglass * mass * mean.sound_speed / sqrt(max(area, Pack(0.))), Pack(0.));
+          const Pack resistance =
+              select(mass > 0.,
+                     0.25 * parameters.hourglass * mass * mean.sound_speed / Cell::mean_extent(half.volume, half.hoop),
+                     Pack(0.));
           half.hourglass_drag = hourglass::velocity(half.hourglass_shape, gradient, v);
           for (Pack &drag : half.hourglass_drag)
             drag *= resistance;
 
-          const Pack                       pressure = mean.pressure + half.viscosity;
-          const plasticity::Deviator<Pack> s        = mean.stress;
-          geometry::QuadOf<Pack>           force;
-          for (int k = 0; k < 4; ++k)
+          const Pack               pressure = mean.pressure + half.viscosity;
+          CornerVectors<dim, Pack> force;
+          for (int k = 0; k < FlatMesh<dim>::corners; ++k)
             {
-              const Pack b0 = half.volume_gradient[0][k], g1 = half.volume_gradient[1][k], h = half.hoop[k];
-              const Pack g0    = b0 - h;
-              const Pack gamma = hourglass::shape_vector(k, half.hourglass_shape, g0, g1, inverse);
-              force[0][k]      = pressure * b0 - half.hourglass_drag[0] * gamma;
-              force[1][k]      = pressure * g1 - half.hourglass_drag[1] * gamma;
+              const std::array<Pack, dim> g     = shape_gradient<dim>(k, half.volume_gradient, half.hoop);
+              const Pack                  gamma = hourglass::shape_vector(k, half.hourglass_shape, g, inverse);
+              for (int d = 0; d < dim; ++d)
+                force[d][k] = pressure * half.volume_gradient[d][k] - half.hourglass_drag[d] * gamma;
               if constexpr (strength)
                 {
-                  force[0][k] -= s.s00 * g0 + s.s01 * g1 - (s.s00 + s.s11) * h;
-                  force[1][k] -= s.s01 * g0 + s.s11 * g1;
+                  const std::array<Pack, dim> pull = mean.stress.pull(g, half.hoop[k]);
+                  for (int d = 0; d < dim; ++d)
+                    force[d][k] -= pull[d];
                 }
             }
           if constexpr (kind == ViscosityKind::tensor)
-            add_viscous(
+            add_viscous<dim>(
                 tensor_force(parameters, x, v, gradient, half, Pack(mass * inverse), mean.sound_speed, first, work),
                 select(fill.open, fill.compressed, Pack(1.)), force, work.viscous_force[pack]);
           store_forces(force, first, work);

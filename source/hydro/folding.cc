@@ -22,7 +22,7 @@ namespace whipple
   {
     std::vector<Index> cells;
     for (Index c = 0; c < mesh.n_owned; ++c)
-      if (mesh.intact[c] && cell_shape::crosses(cell_shape::corners_after(mesh, state, c, dt)) &&
+      if (mesh.intact[c] && CellShape<2>::crosses(cell_shape::corners_after(mesh, state, c, dt)) &&
           cell_shape::shares_nodes(mesh, c) && has_mass(state, c))
         cells.push_back(c);
     return cells;
@@ -34,7 +34,7 @@ namespace whipple
   {
     std::vector<Index> cells;
     for (Index c = 0; c < mesh.n_owned; ++c)
-      if (cell_shape::crosses(cell_shape::corners_after(mesh, state, c, 0.)) && has_mass(state, c))
+      if (CellShape<2>::crosses(cell_shape::corners_after(mesh, state, c, 0.)) && has_mass(state, c))
         cells.push_back(c);
     return cells;
   }

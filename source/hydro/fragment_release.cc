@@ -18,7 +18,7 @@ namespace whipple
 
     Obstacles
     obstacles(const FlatMesh<2> &mesh, const RigidWalls<2> &walls, const State<2> &state, Index c,
-              const geometry::Quad &next)
+              const CornerVectors<2> &next)
     {
       const bool axisymmetric = mesh.symmetry == Symmetry::axisymmetric;
       Obstacles  result;
@@ -97,10 +97,10 @@ namespace whipple
       {
         if (mesh.intact[c] && cell_shape::shares_nodes(mesh, c))
           continue;
-        const geometry::Quad next   = cell_shape::corners_after(mesh, state, c, dt);
-        const Obstacles      met    = obstacles(mesh, walls, state, c, next);
-        const bool           locked = std::binary_search(forced.begin(), forced.end(), c);
-        const bool           stop   = locked || cell_shape::folds(next, least_jacobian);
+        const CornerVectors<2> next   = cell_shape::corners_after(mesh, state, c, dt);
+        const Obstacles        met    = obstacles(mesh, walls, state, c, next);
+        const bool             locked = std::binary_search(forced.begin(), forced.end(), c);
+        const bool             stop   = locked || CellShape<2>::folds(next, least_jacobian);
         if (met.passes || (stop && !met.rigid))
           make_rigid(mesh, state, c, met.held, sums);
         if (met.passes || locked)

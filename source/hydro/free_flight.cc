@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/hydro/cell_shape.h>
 #include <whipple/hydro/free_flight.h>
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ namespace whipple
     stays_open(const FlatMesh<2> &mesh, const State<2> &state, Index cell, double dt)
     {
       const auto at = [&](double t) {
-        return geometry::volume(mesh.symmetry, cell_shape::corners_after(mesh, state, cell, t));
+        return cell_volume(mesh.symmetry, cell_shape::corners_after(mesh, state, cell, t));
       };
       double least = state.volume[cell];
       for (const double t : times_to_look({at(0.), at(dt / 3.), at(2. * dt / 3.), at(dt)}, dt))
@@ -62,19 +62,19 @@ namespace whipple
     bool
     keeps_shape(const FlatMesh<2> &mesh, const State<2> &state, Index cell, double dt)
     {
-      std::array<geometry::Quad, 4> x;
+      std::array<CornerVectors<2>, 4> x;
       for (int i = 0; i < 4; ++i)
         x[i] = cell_shape::corners_after(mesh, state, cell, dt * i / 3.);
       for (int k = 0; k < 4; ++k)
         {
           std::array<double, 4> j{};
           for (int i = 0; i < 4; ++i)
-            j[i] = geometry::corner_jacobian(x[i])[k];
+            j[i] = CellShape<2>::corner_jacobian(x[i])[k];
           for (const double t : times_to_look(j, dt))
-            if (cell_shape::folds(cell_shape::corners_after(mesh, state, cell, t), least_jacobian_share))
+            if (CellShape<2>::folds(cell_shape::corners_after(mesh, state, cell, t), least_jacobian_share))
               return false;
         }
-      return !cell_shape::folds(x[0], least_jacobian_share);
+      return !CellShape<2>::folds(x[0], least_jacobian_share);
     }
 
     /// No material with stress or without voids; something at all.
@@ -162,7 +162,7 @@ namespace whipple
         state.position[d][n] += dt * state.velocity[d][n];
     for (Index c = 0; c < mesh.n_cells; ++c)
       {
-        const double volume = geometry::volume(mesh.symmetry, cell_shape::corners_after(mesh, state, c, 0.));
+        const double volume = cell_volume(mesh.symmetry, cell_shape::corners_after(mesh, state, c, 0.));
         const double growth = volume / state.volume[c];
         for (MaterialState &m : state.material)
           if (m.volume[c] > 0)
@@ -170,7 +170,7 @@ namespace whipple
               m.volume[c] *= growth;
               m.density[c] /= growth;
               m.void_fraction[c] = 1. - (1. - m.void_fraction[c]) / growth;
-              for (const int stress : {state.index.stress_00, state.index.stress_11, state.index.stress_01})
+              for (const int stress : state.index.stress)
                 if (stress >= 0)
                   m.fields[stress].value[c] = 0.;
             }

@@ -2,6 +2,7 @@
 
 #include <whipple/error.h>
 #include <whipple/hydro/lagrange_step.h>
+#include <whipple/mesh/cell_corners.h>
 #include <whipple/state/conversion.h>
 
 #include <algorithm>
@@ -11,19 +12,19 @@ namespace whipple
   namespace
   {
     const char *const viscous = "viscous work", *const hourglass = "hourglass work", *const plastic = "plastic work";
-    const ConversionRegistration registrations[] = {{10, viscous, ConversionRegistry::Listed::each_step},
-                                                    {20, hourglass, ConversionRegistry::Listed::each_step},
-                                                    {30, plastic, ConversionRegistry::Listed::each_step}};
+    const ConversionRegistration registrations[] = {{{10, viscous}, ConversionListed::each_step},
+                                                    {{20, hourglass}, ConversionListed::each_step},
+                                                    {{30, plastic}, ConversionListed::each_step}};
 
-    /// Cell across subface `half` of one side of a cell, as StepWork::Neighbours has it.
+    /// Cell across one subface of one side of a cell, as StepWork::Neighbours has it.
     template <int dim>
     Index
-    neighbour(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, Index cell, int side, int half)
+    neighbour(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, Index cell, int side, int part)
     {
       if (mesh.cell_face[side].empty())
         return mesh.n_cells;
       const Index *subface = &mesh.cell_face[side][cell * FlatMesh<dim>::subfaces];
-      const Index  face    = subface[half] == none ? subface[0] : subface[half];
+      const Index  face    = subface[part] == none ? subface[0] : subface[part];
       if (face == none)
         return mesh.n_cells;
       const auto &faces  = mesh.faces[side / 2];
@@ -53,9 +54,10 @@ namespace whipple
 
       work.neighbours.resize(mesh.n_cells);
       for (Index cell = 0; cell < mesh.n_cells; ++cell)
-        for (int i = 0; i < 8; ++i)
+        for (std::size_t i = 0; i < work.neighbours[cell].size(); ++i)
           {
-            const Index other        = neighbour(mesh, boundaries, cell, i / 2, i % 2);
+            const Index other        = neighbour(mesh, boundaries, cell, static_cast<int>(i) / FlatMesh<dim>::subfaces,
+                                                 static_cast<int>(i) % FlatMesh<dim>::subfaces);
             work.neighbours[cell][i] = other;
             work.has_neighbours      = work.has_neighbours || other != mesh.n_cells;
           }
@@ -67,7 +69,7 @@ namespace whipple
       work.mixed_volume.reserve(materials.size());
       for (std::size_t m = 0; m < materials.size(); ++m)
         {
-          MaterialWork &next = work.material[m];
+          MaterialWork<dim> &next = work.material[m];
           for (auto *array : {&next.volume, &next.density, &next.energy})
             array->resize(mesh.n_cells);
           next.trace_density     = materials[m].trace_density;
@@ -83,8 +85,9 @@ namespace whipple
           if (!materials[m].strength)
             continue;
           work.has_strength = true;
-          for (auto *array : {&next.stress[0], &next.stress[1], &next.stress[2], &next.plastic_strain})
-            array->resize(mesh.n_cells);
+          for (auto &component : next.stress)
+            component.resize(mesh.n_cells);
+          next.plastic_strain.resize(mesh.n_cells);
         }
       return work;
     }
@@ -99,18 +102,14 @@ namespace whipple
     state.corner_weight.resize(static_cast<std::size_t>(mesh.n_cells) * FlatMesh<dim>::corners);
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
-        geometry::Quad x;
-        for (int k = 0; k < 4; ++k)
-          for (int d = 0; d < dim; ++d)
-            x[d][k] = state.position[d][mesh.cell_node[cell * 4 + k]];
-        state.volume[cell] = geometry::volume(mesh.symmetry, x);
+        const CornerVectors<dim> x = cell_corners(mesh, state.position, cell);
+        state.volume[cell]         = cell_volume<dim>(mesh.symmetry, x);
         if (cell < mesh.n_owned && !(state.volume[cell] > 0))
           throw StateError("cell " + std::to_string(cell) + " (key " + std::to_string(mesh.key[cell]) +
                            ") has volume " + std::to_string(state.volume[cell]) + " cm^3");
-        const auto corner = mesh.symmetry == Symmetry::planar ? geometry::corner_volume<Symmetry::planar>(x)
-                                                              : geometry::corner_volume<Symmetry::axisymmetric>(x);
-        for (int k = 0; k < 4; ++k)
-          state.corner_weight[cell * 4 + k] = corner[k] / state.volume[cell];
+        const CornerValues<dim> corner = corner_volume<dim>(mesh.symmetry, x);
+        for (int k = 0; k < FlatMesh<dim>::corners; ++k)
+          state.corner_weight[cell * FlatMesh<dim>::corners + k] = corner[k] / state.volume[cell];
       }
   }
 
@@ -145,13 +144,9 @@ namespace whipple
             mass += material.mass[corner / FlatMesh<dim>::corners];
           state.node_mass[node] += state.corner_weight[corner] * mass;
         }
-    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
-      {
-        double &hanging = state.node_mass[mesh_.hanging[i]];
-        for (const Index master : mesh_.master[i])
-          state.node_mass[master] += 0.5 * hanging;
-        hanging = 0;
-      }
+    mesh_.share_out(state.node_mass);
+    for (const Index node : mesh_.hanging)
+      state.node_mass[node] = 0;
   }
 
   template <int dim>
@@ -216,8 +211,8 @@ namespace whipple
       }
     for (std::size_t m = 0; m < materials_.size(); ++m)
       {
-        MaterialState &material = state.material[m];
-        MaterialWork  &next     = work_.material[m];
+        MaterialState     &material = state.material[m];
+        MaterialWork<dim> &next     = work_.material[m];
         material.volume.swap(next.volume);
         material.density.swap(next.density);
         material.energy.swap(next.energy);
@@ -225,9 +220,8 @@ namespace whipple
           material.void_fraction.swap(next.void_fraction);
         if (!materials_[m].strength)
           continue;
-        material.fields[state.index.stress_00].value.swap(next.stress[0]);
-        material.fields[state.index.stress_11].value.swap(next.stress[1]);
-        material.fields[state.index.stress_01].value.swap(next.stress[2]);
+        for (std::size_t i = 0; i < next.stress.size(); ++i)
+          material.fields[state.index.stress[i]].value.swap(next.stress[i]);
         material.fields[state.index.plastic_strain].value.swap(next.plastic_strain);
       }
   }

@@ -24,9 +24,10 @@ namespace whipple::material_passes
     }
 
     /// The share of its spall strength that each cell of a material has left; empty: all of it everywhere.
+    template <int dim>
     std::span<const double>
-    soundness(const Material &material, const MaterialState &state, const FieldIndex &index, const MaterialWork &next,
-              Scratch &scratch)
+    soundness(const Material &material, const MaterialState &state, const FieldIndex<dim> &index,
+              const MaterialWork<dim> &next, Scratch &scratch)
     {
       const bool damaged = material.failure && index.damage >= 0;
       if (!damaged && !material.melts)
@@ -56,8 +57,9 @@ namespace whipple::material_passes
   namespace
   {
     /// Void fractions before the law acts: those of the start, but none in a trace that now lies at its normal density.
+    template <int dim>
     void
-    carry_voids(const MaterialState &material, const std::vector<double> &volume, MaterialWork &next)
+    carry_voids(const MaterialState &material, const std::vector<double> &volume, MaterialWork<dim> &next)
     {
       constexpr double squeezed = 1.5; // true density over the normal one that pores would have to explain
       for (std::size_t c = 0; c < volume.size(); ++c)
@@ -73,7 +75,7 @@ namespace whipple::material_passes
     template <int dim>
     void
     check_density(const FlatMesh<dim> &mesh, const State<dim> &state, const Material &material, std::size_t m,
-                  const MaterialWork &next)
+                  const MaterialWork<dim> &next)
     {
       const double limit = material.eos->max_density();
       if (!(limit < std::numeric_limits<double>::infinity()))
@@ -153,8 +155,8 @@ namespace whipple::material_passes
   void
   evaluate_strength(const std::vector<Material> &materials, const State<dim> &state, Scratch &scratch, Derived &derived)
   {
-    const FieldIndex &index = state.index;
-    if (index.stress_00 < 0 || index.stress_11 < 0 || index.stress_01 < 0 || index.plastic_strain < 0)
+    const FieldIndex<dim> &index = state.index;
+    if (!index.has_stress() || index.plastic_strain < 0)
       throw StateError("a material has strength but the state carries no deviatoric stress or plastic strain");
     for (std::size_t m = 0; m < materials.size(); ++m)
       {
@@ -193,7 +195,7 @@ namespace whipple::material_passes
       {
         if (!materials[m].void_law)
           continue;
-        MaterialWork &next = work.material[m];
+        MaterialWork<dim> &next = work.material[m];
         carry_voids(state.material[m], state.volume, next);
         const auto sound = soundness(materials[m], state.material[m], state.index, next, scratch);
         materials[m].void_law->advance(*materials[m].eos, dt, {next.density, next.energy, sound}, next.void_fraction);

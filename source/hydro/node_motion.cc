@@ -87,9 +87,8 @@ namespace whipple
             velocity[d][constraint.node] =
                 ruled_velocity<dim>(boundaries_[constraint.side[d]], d, velocity[d][constraint.node], x, state.time);
       }
-    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
-      for (auto &component : velocity)
-        component[mesh_.hanging[i]] = 0.5 * (component[mesh_.master[i][0]] + component[mesh_.master[i][1]]);
+    for (auto &component : velocity)
+      mesh_.hang(component);
   }
 
   namespace
@@ -222,10 +221,8 @@ namespace whipple
         for (int d = 0; d < dim; ++d)
           work.node_force[d][node] = sum[d];
       }
-    for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
-      for (auto &component : work.node_force)
-        for (const Index master : mesh_.master[i])
-          component[master] += 0.5 * component[mesh_.hanging[i]];
+    for (auto &component : work.node_force)
+      mesh_.share_out(component);
   }
 
   template <int dim>
@@ -332,13 +329,8 @@ namespace whipple
             mean[node]     = 0.5 * (v[node] + next[node]);
             position[node] = x[node] + dt * mean[node];
           }
-        for (std::size_t i = 0; i < mesh_.hanging.size(); ++i)
-          {
-            const Index node = mesh_.hanging[i], a = mesh_.master[i][0], b = mesh_.master[i][1];
-            next[node]     = 0.5 * (next[a] + next[b]);
-            mean[node]     = 0.5 * (mean[a] + mean[b]);
-            position[node] = 0.5 * (position[a] + position[b]);
-          }
+        for (auto *component : {&work.velocity[d], &work.mean_velocity[d], &work.position[d]})
+          mesh_.hang(*component);
       }
 
     for (const Index node : traction_node_)

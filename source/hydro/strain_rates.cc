@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <whipple/hydro/cell_kernels.h>
-#include <whipple/hydro/plasticity.h>
+#include <whipple/hydro/deviator.h>
 #include <whipple/hydro/velocity_gradient.h>
 
 namespace whipple::cell_kernels
@@ -14,15 +14,13 @@ namespace whipple::cell_kernels
     {
       for (Index first = 0; first < mesh.n_cells; first += pack_size)
         {
-          const geometry::QuadOf<Pack> x        = gather_corners(mesh, state.position, first);
-          const geometry::QuadOf<Pack> v        = gather_corners(mesh, state.velocity, first);
-          const auto                   gradient = velocity_gradient(geometry::volume_gradient<symmetry>(x),
-                                                                    geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
-          const auto                   rate =
-              plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
+          const CornerVectors<dim, Pack> x = gather_corners(mesh, state.position, first);
+          const CornerVectors<dim, Pack> v = gather_corners(mesh, state.velocity, first);
+          using Cell                       = CellGeometry<dim, symmetry>;
+          const DeformationRate<dim, Pack> rate(
+              velocity_gradient<dim>(Cell::volume_gradient(x), Cell::hoop_weight(x), Cell::volume(x), v));
           // the equivalent of a rate is 2/3 of what that of a stress with its components would be
-          const plasticity::Deviator<Pack> as_stress{rate.d00, rate.d11, rate.d01};
-          store(Pack(2. / 3. * plasticity::equivalent_stress(as_stress)), result, first);
+          store(Pack(2. / 3. * rate.deviator.equivalent()), result, first);
         }
     }
   } // namespace

@@ -12,11 +12,11 @@ namespace whipple::cell_kernels
   {
     for (Index first = 0; first < mesh.n_cells; first += pack_size)
       {
-        const geometry::QuadOf<Pack> x      = gather_corners(mesh, work.half_position, first);
-        const geometry::QuadOf<Pack> v      = gather_corners(mesh, state.velocity, first);
-        const Pack                   volume = load(state.volume, first);
-        Pack                         mass(0.);
-        auto                         felt = mass > 0.; // something has a state
+        const CornerVectors<dim, Pack> x      = gather_corners(mesh, work.half_position, first);
+        const CornerVectors<dim, Pack> v      = gather_corners(mesh, state.velocity, first);
+        const Pack                     volume = load(state.volume, first);
+        Pack                           mass(0.);
+        auto                           felt = mass > 0.; // something has a state
         for (std::size_t m = 0; m < state.material.size(); ++m)
           {
             mass += load(state.material[m].mass, first);

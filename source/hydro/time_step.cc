@@ -16,19 +16,6 @@ namespace whipple
   {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-    /// Smallest extent of a quadrilateral, cm: its area over its longest side or diagonal / sqrt(2).
-    Pack
-    smallest_extent(const geometry::QuadOf<Pack> &x)
-    {
-      const auto square = [&x](int a, int b) -> Pack {
-        const Pack d0 = x[0][b] - x[0][a], d1 = x[1][b] - x[1][a];
-        return d0 * d0 + d1 * d1;
-      };
-      const Pack sides    = max(max(square(0, 1), square(2, 3)), max(square(0, 2), square(1, 3)));
-      const Pack diagonal = 0.5 * max(square(0, 3), square(1, 2));
-      return geometry::volume<Symmetry::planar>(x) / sqrt(max(sides, diagonal));
-    }
-
     /// What the time step needs to know of the materials in a pack of cells.
     struct Content
     {
@@ -85,6 +72,7 @@ namespace whipple
             const std::array<std::vector<double>, dim> &velocity, const HydroParameters &parameters,
             const StepWork<dim> &work, Index first)
     {
+      using Cell = CellGeometry<dim, symmetry>;
       Allowed       result;
       const Content held = content(state, derived, work, first);
       // cold gas has no sound, but it too must not be squeezed through itself
@@ -92,12 +80,11 @@ namespace whipple
       result.dt    = Pack(unlimited);
       if (none_of(result.there))
         return result;
-      const geometry::QuadOf<Pack> x          = gather_corners(mesh, state.position, first);
-      const geometry::QuadOf<Pack> v          = gather_corners(mesh, velocity, first);
-      const auto                   gradient   = velocity_gradient(geometry::volume_gradient<symmetry>(x),
-                                                                  geometry::hoop_weight<symmetry>(x), geometry::volume<symmetry>(x), v);
-      const Pack                   divergence = gradient.divergence(), c2 = held.wave, c = sqrt(c2);
-      result.extent = smallest_extent(x);
+      const CornerVectors<dim, Pack> x = gather_corners(mesh, state.position, first);
+      const CornerVectors<dim, Pack> v = gather_corners(mesh, velocity, first);
+      const auto gradient = velocity_gradient<dim>(Cell::volume_gradient(x), Cell::hoop_weight(x), Cell::volume(x), v);
+      const Pack divergence = gradient.divergence(), c2 = held.wave, c = sqrt(c2);
+      result.extent = Cell::smallest_extent(x);
       result.sound  = c;
 
       Pack jump(0.);
@@ -153,8 +140,8 @@ namespace whipple
           const Allowed a = allowed<symmetry, dim>(mesh, state, derived, state.velocity, parameters, work, first);
           if (none_of(a.dt < bound))
             continue;
-          const geometry::QuadOf<Pack> x    = gather_corners(mesh, state.position, first);
-          const Pack                   area = abs(geometry::volume<Symmetry::planar>(x));
+          const CornerVectors<dim, Pack> x    = gather_corners(mesh, state.position, first);
+          const Pack                     area = abs(CellShape<dim>::area(x));
           // the extent is the area over the longest side
           for (Index lane = 0; lane < pack_size; ++lane)
             if (a.dt[lane] < bound && a.extent[lane] * a.extent[lane] < thin * area[lane])

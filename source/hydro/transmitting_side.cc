@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <whipple/hydro/deviator.h>
 #include <whipple/hydro/transmitting_side.h>
 
 #include <algorithm>
@@ -65,8 +66,7 @@ namespace whipple
         if (!(along > 0))
           continue;
         // the deviator at the side in the middle of the step: half a cell further on the way of an elastic wave
-        const int    field = at.axis == 0 ? state.index.stress_00 : state.index.stress_11;
-        const double trial = solid * material.fields[field].value[cell] +
+        const double trial = solid * StoredDeviator<dim>(material, state.index).at(cell).normal(at.axis) +
                              4. / 3. * shear * at.opening * (0.5 * dt / at.depth - 0.5 / along);
         const double deviator = std::clamp(trial, -2. / 3. * yield, 2. / 3. * yield);
         wave.pressure -= share * deviator * along / (along + bulk);

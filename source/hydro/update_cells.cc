@@ -3,8 +3,8 @@
 #include <whipple/error.h>
 #include <whipple/hydro/cell_kernels.h>
 #include <whipple/hydro/closure.h>
+#include <whipple/hydro/deviator.h>
 #include <whipple/hydro/hourglass.h>
-#include <whipple/hydro/plasticity.h>
 #include <whipple/hydro/trace.h>
 #include <whipple/hydro/velocity_gradient.h>
 
@@ -48,10 +48,7 @@ namespace whipple::cell_kernels
       if (!work.has_strength)
         return 0.;
       const double solid = material.has_voids() ? 1. - material.void_fraction[cell] : 1.;
-      return solid * plasticity::least_principal(
-                         plasticity::Deviator<double>{material.fields[state.index.stress_00].value[cell],
-                                                      material.fields[state.index.stress_11].value[cell],
-                                                      material.fields[state.index.stress_01].value[cell]});
+      return solid * StoredDeviator<dim>(material, state.index).at(cell).least_principal();
     }
 
     /// Next volumes of the traces of a cell: beside other material they lie at their normal density; alone they do not
@@ -64,7 +61,7 @@ namespace whipple::cell_kernels
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState &material = state.material[m];
-          MaterialWork        &next     = work.material[m];
+          MaterialWork<dim>   &next     = work.material[m];
           if (!(material.volume[cell] > 0) || trace::has_state(material, next, state.volume[cell], cell))
             continue;
           next.volume[cell] = beside_others
@@ -146,15 +143,16 @@ namespace whipple::cell_kernels
     }
 
     template <int dim>
-    geometry::QuadOf<Pack>
+    CornerVectors<dim, Pack>
     load_forces(Index first, const StepWork<dim> &work)
     {
-      const Index            last = static_cast<Index>(work.mass.size()) - 1;
-      geometry::QuadOf<Pack> force;
-      for (int k = 0; k < 4; ++k)
+      const Index              last = static_cast<Index>(work.mass.size()) - 1;
+      CornerVectors<dim, Pack> force;
+      constexpr int            corners = FlatMesh<dim>::corners;
+      for (int k = 0; k < corners; ++k)
         for (int d = 0; d < dim; ++d)
           force[d][k] = Pack([&](auto lane) {
-            return work.corner_force[(std::min<Index>(first + static_cast<Index>(lane), last) * 4 + k) * dim + d];
+            return work.corner_force[(std::min<Index>(first + static_cast<Index>(lane), last) * corners + k) * dim + d];
           });
       return force;
     }
@@ -195,7 +193,7 @@ namespace whipple::cell_kernels
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState &old    = state.material[m];
-          MaterialWork        &next   = work.material[m];
+          MaterialWork<dim>   &next   = work.material[m];
           const Pack           volume = load(old.volume, first), mass = load(old.mass, first);
           const Pack           energy = load(old.energy, first);
           const auto           there  = mass > 0.;
@@ -222,35 +220,30 @@ namespace whipple::cell_kernels
     /// @return plastic work in the cells of the pack
     template <int dim>
     Pack
-    update_stresses(const State<dim> &state, const Derived &derived, const VelocityGradient<Pack> &gradient, double dt,
-                    Index first, StepWork<dim> &work)
+    update_stresses(const State<dim> &state, const Derived &derived, const VelocityGradient<dim, Pack> &gradient,
+                    double dt, Index first, StepWork<dim> &work)
     {
-      const auto rate =
-          plasticity::rates(gradient.l[0][0], gradient.l[0][1], gradient.l[1][0], gradient.l[1][1], gradient.hoop);
-      Pack plastic_work(0.);
+      const DeformationRate<dim, Pack> rate(gradient);
+      Pack                             plastic_work(0.);
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
           const MaterialState   &old  = state.material[m];
           const DerivedMaterial &from = derived.material[m];
-          MaterialWork          &next = work.material[m];
+          MaterialWork<dim>     &next = work.material[m];
           if (from.shear_modulus.empty())
             continue;
-          const auto           there = load(old.mass, first) > 0.;
-          plasticity::Deviator s{Pack(0.), Pack(0.), Pack(0.)};
-          Pack                 strain(0.);
+          const auto there = load(old.mass, first) > 0.;
+          auto       s     = Deviator<dim, Pack>::zero();
+          Pack       strain(0.);
           if (any_of(there))
             {
               const Pack shear = load(from.shear_modulus, first), yield = load(from.yield_stress, first);
-              s = {load(old.fields[state.index.stress_00].value, first),
-                   load(old.fields[state.index.stress_11].value, first),
-                   load(old.fields[state.index.stress_01].value, first)};
-              s = plasticity::stretch(plasticity::rotate(s, rate.spin, dt), rate, shear, dt);
-
-              const Pack trial     = plasticity::equivalent_stress(s);
-              const Pack increment = plasticity::plastic_increment(trial, yield, shear);
-              s                    = plasticity::return_radially(s, trial, yield);
-              for (Pack *component : {&s.s00, &s.s11, &s.s01})
-                *component = select(there, *component, Pack(0.));
+              s                    = elastic_trial(StoredDeviator<dim>(old, state.index).load(first), rate, shear, dt);
+              const Pack trial     = s.equivalent();
+              const Pack increment = plastic_increment(trial, yield, shear);
+              s                    = returned(s, trial, yield);
+              for (Pack &component : s.component)
+                component = select(there, component, Pack(0.));
               strain =
                   select(there, Pack(load(old.fields[state.index.plastic_strain].value, first) + increment), Pack(0.));
               Pack solid = load(next.volume, first);
@@ -258,9 +251,8 @@ namespace whipple::cell_kernels
                 solid *= 1. - load(old.void_fraction, first);
               plastic_work += select(there, Pack(solid * yield * increment), Pack(0.));
             }
-          store(s.s00, next.stress[0], first);
-          store(s.s11, next.stress[1], first);
-          store(s.s01, next.stress[2], first);
+          for (std::size_t i = 0; i < next.stress.size(); ++i)
+            store(s.component[i], next.stress[i], first);
           store(strain, next.plastic_strain, first);
         }
       return plastic_work;
@@ -276,27 +268,27 @@ namespace whipple::cell_kernels
       Pack                        viscous(0.), hourglassing(0.), plastic(0.);
       for (Index first = 0, pack = 0; first < mesh.n_cells; first += pack_size, ++pack)
         {
-          const HalfStepPack          &half  = work.half_step[pack];
-          const geometry::QuadOf<Pack> v     = gather_corners(mesh, work.mean_velocity, first);
-          const Pack                   next  = geometry::volume<symmetry>(gather_corners(mesh, work.position, first));
-          const auto                   owned = lanes_below(first, mesh.n_owned);
-          const auto                   positive = next > 0. && half.volume > 0.;
+          const HalfStepPack<dim>       &half = work.half_step[pack];
+          const CornerVectors<dim, Pack> v    = gather_corners(mesh, work.mean_velocity, first);
+          const Pack next     = CellGeometry<dim, symmetry>::volume(gather_corners(mesh, work.position, first));
+          const auto owned    = lanes_below(first, mesh.n_owned);
+          const auto positive = next > 0. && half.volume > 0.;
           if (any_of(owned && !positive))
             throw_inverted(mesh, state, half.volume, next, first, work);
           const Pack start = load(state.volume, first);
           if (any_of(owned && load(work.mass, first) > 0. && abs(next - start) > largest_change * start))
             throw_strained(mesh, state, next, first, work);
 
-          const geometry::QuadOf<Pack> force = load_forces(first, work);
-          Pack                         power(0.);
-          for (int k = 0; k < 4; ++k)
-            power += force[0][k] * v[0][k] + force[1][k] * v[1][k];
+          const CornerVectors<dim, Pack> force = load_forces(first, work);
+          Pack                           power(0.);
+          for (int k = 0; k < FlatMesh<dim>::corners; ++k)
+            power += dot_at_corner(k, force, v);
 
           const Filling fill = filling(state, work, first);
           update_volumes(state, derived, fill, next, first, work, part, result);
           update_energies(state, fill, Pack(-dt * power), first, work);
 
-          const auto gradient = velocity_gradient(half.volume_gradient, half.hoop, half.volume, v);
+          const auto gradient = velocity_gradient<dim>(half.volume_gradient, half.hoop, half.volume, v);
           if constexpr (strength)
             plastic += select(owned, update_stresses(state, derived, gradient, dt, first, work), Pack(0.));
           viscous -= select(owned, Pack(dt * half.viscosity * half.volume * gradient.divergence()), Pack(0.));

@@ -10,11 +10,11 @@ namespace whipple::cell_kernels
     Pack sum(0.);
     for (Index first = 0, pack = 0; first < mesh.n_owned; first += pack_size, ++pack)
       {
-        const geometry::QuadOf<Pack>  v     = gather_corners(mesh, work.mean_velocity, first);
-        const geometry::QuadOf<Pack> &force = work.viscous_force[pack];
-        Pack                          power(0.);
-        for (int k = 0; k < 4; ++k)
-          power += force[0][k] * v[0][k] + force[1][k] * v[1][k];
+        const CornerVectors<dim, Pack>  v     = gather_corners(mesh, work.mean_velocity, first);
+        const CornerVectors<dim, Pack> &force = work.viscous_force[pack];
+        Pack                            power(0.);
+        for (int k = 0; k < FlatMesh<dim>::corners; ++k)
+          power += dot_at_corner(k, force, v);
         sum += select(lanes_below(first, mesh.n_owned), power, Pack(0.));
       }
     return -dt * reduce(sum);

@@ -25,7 +25,7 @@ namespace whipple
     class Cell
     {
     public:
-      Cell(Symmetry symmetry, const geometry::Quad &corner)
+      Cell(Symmetry symmetry, const CornerVectors<2> &corner)
         : symmetry_(symmetry)
         , corner_(corner)
       {
@@ -57,8 +57,8 @@ namespace whipple
       }
 
     private:
-      Symmetry              symmetry_;
-      const geometry::Quad &corner_;
+      Symmetry                symmetry_;
+      const CornerVectors<2> &corner_;
     };
 
     /// The tensor product of a rule with itself.
@@ -75,7 +75,7 @@ namespace whipple
 
     /// Breaks that may pass through a cell; edges of a cell bulge a little beyond the range of its corners.
     std::vector<double>
-    breaks_in(const exact::ExactSolution<2> &solution, const geometry::Quad &corner, double time)
+    breaks_in(const exact::ExactSolution<2> &solution, const CornerVectors<2> &corner, double time)
     {
       std::array<double, 4> coordinate;
       for (int k = 0; k < 4; ++k)
@@ -168,7 +168,7 @@ namespace whipple
 
     /// Whether a solution that is no profile has material at some corners of a cell and none at others.
     bool
-    edge_passes(const exact::ExactSolution<2> &solution, const geometry::Quad &corner, double time)
+    edge_passes(const exact::ExactSolution<2> &solution, const CornerVectors<2> &corner, double time)
     {
       int filled = 0;
       for (int k = 0; k < 4; ++k)
@@ -279,7 +279,7 @@ namespace whipple
 
   template <>
   std::vector<VolumePoint<2>>
-  volume_points(const exact::ExactSolution<2> &solution, Symmetry symmetry, const geometry::Quad &corner, double time)
+  volume_points(const exact::ExactSolution<2> &solution, Symmetry symmetry, const CornerVectors<2> &corner, double time)
   {
     const Cell                cell(symmetry, corner);
     const std::vector<double> breaks = breaks_in(solution, corner, time);

@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/initial/exact_means.h>
 #include <whipple/initial/initial_state.h>
+#include <whipple/mesh/cell_corners.h>
 
 #include <cmath>
 #include <sstream>
@@ -23,7 +24,7 @@ namespace whipple
     /// Points of a cell where the solution has material.
     template <int dim>
     std::vector<VolumePoint<dim>>
-    material_points(const exact::ExactSolution<dim> &solution, Symmetry symmetry, const geometry::Quad &cell,
+    material_points(const exact::ExactSolution<dim> &solution, Symmetry symmetry, const CornerVectors<dim> &cell,
                     double time)
     {
       std::vector<VolumePoint<dim>> points = volume_points<dim>(solution, symmetry, cell, time);
@@ -31,17 +32,6 @@ namespace whipple
       return points;
     }
   } // namespace
-
-  template <int dim>
-  geometry::QuadOf<double>
-  cell_corners(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell)
-  {
-    geometry::Quad x;
-    for (int k = 0; k < FlatMesh<dim>::corners; ++k)
-      for (int d = 0; d < dim; ++d)
-        x[d][k] = state.position[d][mesh.cell_node[cell * FlatMesh<dim>::corners + k]];
-    return x;
-  }
 
   template <int dim>
   ExactFilling<dim>::ExactFilling(const exact::ExactSolution<dim> &solution, const FieldLayout &layout,
@@ -60,18 +50,17 @@ namespace whipple
       }
     for (std::size_t h = 0; h < mesh.hanging.size(); ++h)
       for (int d = 0; d < dim; ++d)
-        node_velocity_[mesh.hanging[h]][d] =
-            0.5 * (node_velocity_[mesh.master[h][0]][d] + node_velocity_[mesh.master[h][1]][d]);
+        node_velocity_[mesh.hanging[h]][d] = mesh.master[h].mean([&](Index n) { return node_velocity_[n][d]; });
   }
 
   template <int dim>
   CellFilling<dim>
   ExactFilling<dim>::fill(const Body<dim> &body, const State<dim> &state, Index cell) const
   {
-    const geometry::Quad  corner = cell_corners(mesh_, state, cell);
-    const auto            points = material_points(solution_, mesh_.symmetry, corner, state.time);
-    const ExactMeans<dim> means  = exact_means<dim>(solution_, points, state.time);
-    CellFilling<dim>      filling{means.density, means.energy, {}};
+    const CornerVectors<dim> corner = cell_corners(mesh_, state.position, cell);
+    const auto               points = material_points(solution_, mesh_.symmetry, corner, state.time);
+    const ExactMeans<dim>    means  = exact_means<dim>(solution_, points, state.time);
+    CellFilling<dim>         filling{means.density, means.energy, {}};
     if (points.empty() && body.density > 0)
       filling = {body.density, body.energy, {}}; // a sliver between all points: its state does not matter
     if (std::isnan(filling.energy) && !std::isnan(means.pressure))
@@ -101,7 +90,7 @@ namespace whipple
   {
     for (std::size_t h = 0; h < mesh_.hanging.size(); ++h)
       {
-        const auto [a, b] = mesh_.master[h];
+        const auto [a, b] = mesh_.master[h].ends();
         const Index node  = mesh_.hanging[h];
         if (!is_given<dim>(node_velocity_[node]))
           continue;
@@ -121,7 +110,5 @@ namespace whipple
       }
   }
 
-  template geometry::QuadOf<double>
-  cell_corners(const FlatMesh<2> &, const State<2> &, Index);
   template class ExactFilling<2>;
 } // namespace whipple

@@ -61,7 +61,7 @@ namespace whipple
   {
     if (scene.mesh_map != MeshMap::identity)
       return;
-    constexpr int axis = dim - 1;
+    constexpr int axis = flight_axis<dim>;
     double        mass = 0, momentum = 0, momentum_scale = 0, energy = 0, energy_scale = 0;
     for (const std::size_t b : bodies)
       {

@@ -51,27 +51,6 @@ namespace whipple
 
   template <int dim>
   void
-  Ledger<dim>::leave(const std::string &cause, const ConservedTotals<dim> &amounts)
-  {
-    enter(cause, {.left = amounts});
-  }
-
-  template <int dim>
-  void
-  Ledger<dim>::drop(const std::string &cause, const ConservedTotals<dim> &amounts)
-  {
-    enter(cause, {.dropped = amounts});
-  }
-
-  template <int dim>
-  void
-  Ledger<dim>::convert(const std::string &cause, double energy)
-  {
-    enter(cause, {.converted = energy});
-  }
-
-  template <int dim>
-  void
   Ledger<dim>::note(const std::string &cause, double number, double size, const std::string &unit)
   {
     enter(cause, {.event = Event{number, size, unit}});

@@ -74,9 +74,9 @@ namespace whipple
           return;
         struct Hanging
         {
-          std::uint64_t        position;
-          Index                node;
-          std::array<Index, 2> master;
+          std::uint64_t position;
+          Index         node;
+          Masters<dim>  master;
         };
         std::vector<Hanging> found;
         for (Index c = 0; c < mesh_.n_cells; ++c)
@@ -92,7 +92,7 @@ namespace whipple
                   continue;
                 middle_[2 * axis + side][c] = node;
                 const int first             = side << axis;
-                found.push_back({point_key<dim>(mid), node, {{corner(c, first), corner(c, first | (1 << along))}}});
+                found.push_back({point_key<dim>(mid), node, {{{corner(c, first), corner(c, first | (1 << along))}}}});
               }
         std::sort(found.begin(), found.end(),
                   [](const Hanging &a, const Hanging &b) { return a.position < b.position; });

@@ -185,7 +185,7 @@ namespace whipple::projection
   }
 
   Bisection
-  bisect(const geometry::Quad &x, const geometry::Quad &u)
+  bisect(const CornerVectors<2> &x, const CornerVectors<2> &u)
   {
     const auto triangle = [&](int a, int b, int c) {
       Triangle   t;

@@ -18,14 +18,15 @@ namespace whipple
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /// Speed at which two bodies close in along axis 1, the line of flight; <= 0: they do not meet.
+    /// Speed at which two bodies close in along the line of flight; <= 0: they do not meet.
     template <int dim>
     double
     closing_speed(const Body<dim> &a, const Body<dim> &b)
     {
       const Box<dim> box_a = extent(a.shape), box_b = extent(b.shape);
-      const bool     a_first  = box_a.lower[1] + box_a.upper[1] < box_b.lower[1] + box_b.upper[1];
-      const double   relative = a.velocity[1] - b.velocity[1];
+      const bool     a_first = box_a.lower[flight_axis<dim>] + box_a.upper[flight_axis<dim>] <
+                           box_b.lower[flight_axis<dim>] + box_b.upper[flight_axis<dim>];
+      const double relative = a.velocity[flight_axis<dim>] - b.velocity[flight_axis<dim>];
       return a_first ? relative : -relative;
     }
 
@@ -34,7 +35,7 @@ namespace whipple
     axial_length(const Body<dim> &body)
     {
       const Box<dim> box = extent(body.shape);
-      return box.upper[1] - box.lower[1];
+      return box.upper[flight_axis<dim>] - box.lower[flight_axis<dim>];
     }
 
     /// Energy that is left above the initial one when a shocked material has expanded to zero pressure.
@@ -219,10 +220,10 @@ namespace whipple
   {
     double fastest = 0, front = -infinity, time = 0, joined = 0;
     for (const Body<dim> &body : scene.bodies)
-      if (body.velocity[1] > fastest)
+      if (body.velocity[flight_axis<dim>] > fastest)
         {
-          fastest = body.velocity[1];
-          front   = extent(body.shape).upper[1];
+          fastest = body.velocity[flight_axis<dim>];
+          front   = extent(body.shape).upper[flight_axis<dim>];
         }
     for (const Stage &stage : scene.stages)
       {

@@ -48,11 +48,6 @@ namespace whipple
     for (const EffectDescription &effect : effect_descriptions())
       if (scene.has_effect(effect.name))
         fields.insert(fields.end(), effect.fields.begin(), effect.fields.end());
-    index.stress_00      = field_index(fields, "deviatoric stress 00");
-    index.stress_11      = field_index(fields, "deviatoric stress 11");
-    index.stress_01      = field_index(fields, "deviatoric stress 01");
-    index.plastic_strain = field_index(fields, "plastic strain");
-    index.damage         = field_index(fields, "damage");
 
     for (std::size_t m = 0; m < materials.size(); ++m)
       materials[m].trace_density = trace_density(scene, materials[m], m);
@@ -103,7 +98,10 @@ namespace whipple
     state.node_mass.assign(n_nodes, 0.);
     state.volume.assign(n_cells, 0.);
     state.corner_weight.assign(n_cells * FlatMesh<dim>::corners, 0.);
-    state.index = index;
+    for (std::size_t i = 0; i < state.index.stress.size(); ++i)
+      state.index.stress[i] = field_index(fields, DeviatorStorage<dim>::field[i]);
+    state.index.plastic_strain = field_index(fields, "plastic strain");
+    state.index.damage         = field_index(fields, "damage");
     for (const Material &model : materials)
       {
         MaterialState m;

@@ -110,7 +110,7 @@ namespace whipple
         const DerivedMaterial &from = derived.material[i];
         const double           weak = m.density[cell] * from.sound_speed[cell] * slow;
         bool calm = std::abs(from.pressure[cell]) <= weak && !(m.has_voids() && m.void_fraction[cell] > 0);
-        for (const int s : {state.index.stress_00, state.index.stress_11, state.index.stress_01})
+        for (const int s : state.index.stress)
           calm = calm && (s < 0 || std::abs(m.fields[s].value[cell]) <= weak);
         if (!calm)
           return false;

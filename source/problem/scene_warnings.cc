@@ -33,10 +33,10 @@ namespace whipple
     double fastest = 0, front = -std::numeric_limits<double>::infinity();
     for (const Stage &stage : scene.stages)
       for (const std::size_t b : stage.introduces)
-        if (const Body<dim> &body = scene.bodies[b]; body.velocity[1] > fastest)
+        if (const Body<dim> &body = scene.bodies[b]; body.velocity[flight_axis<dim>] > fastest)
           {
-            fastest = body.velocity[1];
-            front   = extent(body.shape).upper[1];
+            fastest = body.velocity[flight_axis<dim>];
+            front   = extent(body.shape).upper[flight_axis<dim>];
           }
     std::vector<double> times{0.};
     for (const Stage &stage : scene.stages)

@@ -40,7 +40,7 @@ namespace whipple::warnings
     {
       double fastest = -infinity;
       for (const std::size_t b : bodies)
-        fastest = std::max(fastest, scene.bodies[b].velocity[1]);
+        fastest = std::max(fastest, scene.bodies[b].velocity[flight_axis<dim>]);
       return fastest;
     }
 
@@ -110,7 +110,7 @@ namespace whipple::warnings
       double      speed  = 0;        ///< closing, cm/us
     };
 
-    /// What a body meets on its way along axis 1, first the first.
+    /// What a body meets on its way along the line of flight, first the first.
     template <int dim>
     std::vector<Meeting>
     meetings(const Scene<dim> &scene, std::size_t projectile, const std::vector<std::size_t> &entering)
@@ -121,10 +121,12 @@ namespace whipple::warnings
       for (const std::size_t b : entering)
         {
           const Box<dim> box     = extent(scene.bodies[b].shape);
-          const double   forward = body.velocity[1] > 0 ? 1. : -1.;
-          const double   gap     = forward > 0 ? box.lower[1] - own.upper[1] : own.lower[1] - box.upper[1];
-          const double   speed   = forward * (body.velocity[1] - scene.bodies[b].velocity[1]);
-          if (b != projectile && speed > 0 && gap > -1e-9 * scene.lattice.spacing && overlaps_across(own, box, 1))
+          const double   forward = body.velocity[flight_axis<dim>] > 0 ? 1. : -1.;
+          const double   gap     = forward > 0 ? box.lower[flight_axis<dim>] - own.upper[flight_axis<dim>]
+                                               : own.lower[flight_axis<dim>] - box.upper[flight_axis<dim>];
+          const double speed = forward * (body.velocity[flight_axis<dim>] - scene.bodies[b].velocity[flight_axis<dim>]);
+          if (b != projectile && speed > 0 && gap > -1e-9 * scene.lattice.spacing &&
+              overlaps_across(own, box, flight_axis<dim>))
             all.push_back({b, std::max(gap, 0.) / speed, speed});
         }
       std::sort(all.begin(), all.end(), [](const Meeting &a, const Meeting &b) { return a.time < b.time; });
@@ -193,21 +195,24 @@ namespace whipple::warnings
         {
           const Body<dim> &body = scene.bodies[b];
           const Box<dim>   box  = extent(body.shape);
-          const auto       met  = body.velocity[1] != 0. ? meetings(scene, b, entering) : std::vector<Meeting>{};
+          const auto       met =
+              body.velocity[flight_axis<dim>] != 0. ? meetings(scene, b, entering) : std::vector<Meeting>{};
           for (int side = 0; side < 2 * dim; ++side)
             {
               const auto way = way_to_side(scene, box, side);
               if (!way || !is_open(scene, side))
                 continue;
               const double outwards = (side % 2 == 0 ? -1. : 1.) * body.velocity[side / 2];
-              const bool   stopped  = side / 2 == 1 && !met.empty(); // by what it meets, as far as anybody knows
+              const bool   stopped =
+                  side / 2 == flight_axis<dim> && !met.empty(); // by what it meets, as far as anybody knows
               if (outwards > 0 && !stopped)
                 flight.take(times[s] + *way / outwards, side, "body '" + body.name + "'");
               // debris that has gone through what is thinner than the projectile is long
-              if (side / 2 == 1 || met.empty() || outwards > 0)
+              if (side / 2 == flight_axis<dim> || met.empty() || outwards > 0)
                 continue;
               const Box<dim> target = extent(scene.bodies[met[0].target].shape);
-              if (target.upper[1] - target.lower[1] > box.upper[1] - box.lower[1])
+              if (target.upper[flight_axis<dim>] - target.lower[flight_axis<dim>] >
+                  box.upper[flight_axis<dim>] - box.lower[flight_axis<dim>])
                 continue;
               debris.take(times[s] + met[0].time + *way / (spreading * met[0].speed), side,
                           "debris of body '" + body.name + "' on '" + scene.bodies[met[0].target].name + "'");

@@ -14,7 +14,7 @@ namespace whipple
     {
       if (totals.mass == 0)
         return Verdict::empty;
-      constexpr int axis     = dim - 1;
+      constexpr int axis     = flight_axis<dim>;
       const double  position = mesh.lower[axis][cell] + 0.5 * mesh.size[cell];
       if (criteria.plane && (position - *criteria.plane) * criteria.direction < 0)
         return Verdict::not_debris;

@@ -16,9 +16,9 @@ namespace whipple
       }
     };
 
-    const RepresentationRegistration
-        registration("distended", {"whole elements with their voids", {}, [](const RepresentationInput &) {
-                                     return std::make_shared<Distended>();
-                                   }});
+    const RepresentationRegistration registration("distended",
+                                                  {"whole elements with their voids", {}, [](const SectionInput &) {
+                                                     return std::make_shared<Distended>();
+                                                   }});
   } // namespace
 } // namespace whipple

@@ -12,7 +12,7 @@ namespace whipple::projection
 {
   namespace
   {
-    using CornerVectors = std::array<Vector<2>, 4>;
+    using PointAtCorner = std::array<Vector<2>, 4>;
 
     [[noreturn]] void
     refuse(const Element<2> &element, double volume, double mass)
@@ -102,8 +102,8 @@ namespace whipple::projection
     return motion;
   }
 
-  geometry::Quad
-  mirrored(Symmetry symmetry, geometry::Quad x)
+  CornerVectors<2>
+  mirrored(Symmetry symmetry, CornerVectors<2> x)
   {
     if (symmetry == Symmetry::axisymmetric)
       for (double &r : x[0])
@@ -115,7 +115,7 @@ namespace whipple::projection
   corners_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element)
   {
     ElementCorners result;
-    CornerVectors  position, velocity;
+    PointAtCorner  position, velocity;
     result.x = mirrored(symmetry, element.position);
     for (int k = 0; k < 4; ++k)
       {

@@ -71,7 +71,7 @@ namespace whipple
                      {"solid pieces of a physical size",
                       {{size_key, from_model,
                         "fragments: model (from the effect \"fragment size\") | a length, the size of all fragments"}},
-                      [](const RepresentationInput &input) {
+                      [](const SectionInput &input) {
                         return std::make_shared<Fragments>(input.text(size_key) == from_model
                                                                ? std::nullopt
                                                                : std::optional<double>(input.length(size_key)));

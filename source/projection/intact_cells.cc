@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_corners.h>
 #include <whipple/projection/intact_cells.h>
 
 #include <algorithm>
@@ -31,18 +31,6 @@ namespace whipple
         solid += material.volume[cell] * (material.has_voids() ? 1. - material.void_fraction[cell] : 1.);
       return 1. - solid / state.volume[cell];
     }
-
-    /// Smallest corner Jacobian over the mean of the four.
-    double
-    shape(const FlatMesh<2> &mesh, const State<2> &state, Index cell)
-    {
-      geometry::Quad x;
-      for (int k = 0; k < 4; ++k)
-        for (int d = 0; d < 2; ++d)
-          x[d][k] = state.position[d][mesh.cell_node[4 * cell + k]];
-      const auto j = geometry::corner_jacobian(x);
-      return std::min(std::min(j[0], j[1]), std::min(j[2], j[3])) / (0.25 * (j[0] + j[1] + j[2] + j[3]));
-    }
   } // namespace
 
   template <int dim>
@@ -54,7 +42,7 @@ namespace whipple
     for (Index cell = 0; cell < mesh.n_owned; ++cell)
       intact[cell] = (has_damage ? damage_of_heaviest(state, cell) < criteria.damage
                                  : void_share(state, cell) <= criteria.void_fraction) &&
-                     shape(mesh, state, cell) >= criteria.shape;
+                     CellShape<dim>::convexity(cell_corners(mesh, state.position, cell)) >= criteria.shape;
     return intact;
   }
 

@@ -16,9 +16,8 @@ namespace whipple
       }
     };
 
-    const RepresentationRegistration registration("packages",
-                                                  {"solid triangles, 1993", {}, [](const RepresentationInput &) {
-                                                     return std::make_shared<Packages>();
-                                                   }});
+    const RepresentationRegistration registration("packages", {"solid triangles, 1993", {}, [](const SectionInput &) {
+                                                                 return std::make_shared<Packages>();
+                                                               }});
   } // namespace
 } // namespace whipple

@@ -10,14 +10,15 @@ namespace whipple
   {
     const Entry &entry  = all().at(name);
     const auto   preset = [&](const std::string &key) {
-      for (const RepresentationEntry &e : entry.entries)
+      for (const SectionEntry &e : entry.entries)
         if (e.key == key)
           return e.default_value;
       throw std::out_of_range("representation '" + name + "' has no entry '" + key + "'");
     };
-    return entry.read({preset, [](const std::string &key) -> double {
-                         throw std::out_of_range("no length is given for '" + key + "'");
-                       }});
+    const auto none_given = [](const std::string &key, auto...) -> double {
+      throw std::out_of_range("no number is given for '" + key + "'");
+    };
+    return entry.read({preset, none_given, none_given, none_given});
   }
 
   std::string

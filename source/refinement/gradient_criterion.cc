@@ -147,7 +147,7 @@ namespace whipple
                        {"Gradient levels", "1", "levels that material gives up at most where that gradient is small"},
                        {"Gradient change", "1 %",
                         "change of the field over a finest cell, as a part of its largest value, up to which it is"}},
-                      [](const CriterionInput &input) -> std::shared_ptr<const RefinementCriterion> {
+                      [](const SectionInput &input) -> std::shared_ptr<const RefinementCriterion> {
                         const std::string field  = input.text("Gradient field");
                         const int         levels = input.integer("Gradient levels", 1, most_levels);
                         const double      change = input.number("Gradient change", 1e-9, 1);

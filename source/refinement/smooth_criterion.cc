@@ -47,7 +47,7 @@ namespace whipple
                     {"Smooth change", "1 %",
                      "change of density, pressure, momentum density over a cell, as a part of the largest in the "
                      "scene, that is hardly one"}},
-                   [](const CriterionInput &input) -> std::shared_ptr<const RefinementCriterion> {
+                   [](const SectionInput &input) -> std::shared_ptr<const RefinementCriterion> {
                      const int    levels = input.integer("Smooth levels", 0, most_levels);
                      const double change = input.number("Smooth change", 1e-9, 1);
                      return levels > 0 ? std::make_shared<SmoothCriterion>(levels, change) : nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/remap/cell_split.h>
 
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/remap/child_volumes.h>
 #include <whipple/state/momentum_restore.h>
 
@@ -13,9 +13,6 @@ namespace whipple
 {
   namespace
   {
-    template <int dim>
-    using CornerValues = std::array<double, 1 << dim>;
-
     /// Lower corner and edge of a cell.
     template <int dim>
     struct Box
@@ -47,12 +44,11 @@ namespace whipple
       CornerValues<dim>
       corner_mass(Symmetry symmetry, double mass) const
       {
-        geometry::Quad x;
-        for (int d = 0; d < 2; ++d)
-          for (int k = 0; k < 4; ++k)
+        CornerVectors<dim> x;
+        for (int d = 0; d < dim; ++d)
+          for (int k = 0; k < (1 << dim); ++k)
             x[d][k] = lower[d] + (k >> d & 1 ? size : 0.);
-        CornerValues<dim> weight = symmetry == Symmetry::planar ? geometry::corner_volume<Symmetry::planar>(x)
-                                                                : geometry::corner_volume<Symmetry::axisymmetric>(x);
+        CornerValues<dim> weight = corner_volume<dim>(symmetry, x);
         const double      sum    = std::accumulate(weight.begin(), weight.end(), 0.);
         for (double &w : weight)
           w *= mass / sum;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_corners.h>
 #include <whipple/remap/directional_remap.h>
 #include <whipple/remap/swept_volume.h>
 
@@ -30,11 +30,7 @@ namespace whipple
       std::vector<double> volume(mesh.n_cells);
       for (Index c = 0; c < mesh.n_cells; ++c)
         {
-          geometry::Quad x;
-          for (int d = 0; d < dim; ++d)
-            for (int k = 0; k < FlatMesh<dim>::corners; ++k)
-              x[d][k] = mesh.node_point[d][mesh.cell_node[FlatMesh<dim>::corners * c + k]];
-          volume[c] = geometry::volume(mesh.symmetry, x);
+          volume[c] = cell_volume<dim>(mesh.symmetry, cell_corners(mesh, mesh.node_point, c));
         }
       return volume;
     }
@@ -136,8 +132,8 @@ namespace whipple
     sum_masses(state, mass_before_);
     mass_flux_.assign(topology.n_faces + 1, 0.);
     for (std::size_t m = 0; m < state.material.size(); ++m)
-      material_transport_.move(state.material[m], static_cast<Index>(m), volume_flux_, topology, state.index.stress_01,
-                               mass_flux_, report);
+      material_transport_.move(state.material[m], static_cast<Index>(m), volume_flux_, topology,
+                               state.index.odd_at(axis), mass_flux_, report);
     for (Index c = 0; c < mesh_->n_cells; ++c)
       state.volume[c] -= topology.net(swept_[axis], c);
     compress_overfull(state, mesh_->n_owned, report);

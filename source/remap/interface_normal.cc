@@ -25,8 +25,7 @@ namespace whipple
           fraction[node] = volume > 0 ? filled / volume : 0.;
         }
       // a hanging node sees only the fine side
-      for (std::size_t h = 0; h < mesh.hanging.size(); ++h)
-        fraction[mesh.hanging[h]] = 0.5 * (fraction[mesh.master[h][0]] + fraction[mesh.master[h][1]]);
+      mesh.hang(fraction);
       return fraction;
     }
   } // namespace

@@ -200,8 +200,8 @@ namespace whipple
   template <int dim>
   void
   MaterialTransport<dim>::move(MaterialState &material, const Index m, const VolumeFlux<dim> &volume_flux,
-                               const SweepTopology<dim> &topology, const int odd_field, std::vector<double> &mass_flux,
-                               RemapSums<dim> &report)
+                               const SweepTopology<dim> &topology, const std::span<const int> odd_fields,
+                               std::vector<double> &mass_flux, RemapSums<dim> &report)
   {
     const std::vector<double> &flux = volume_flux.flux[m];
     collect_faces(material, m, volume_flux, topology);
@@ -220,10 +220,13 @@ namespace whipple
       }
     update_amounts(material, flux, topology);
 
-    const std::vector<double> *const odd       = odd_field < 0 ? nullptr : &material.fields[odd_field].value;
-    const auto                       by_volume = [&](std::vector<double> &value) {
+    const auto is_odd = [&](const std::vector<double> &value) {
+      return std::any_of(odd_fields.begin(), odd_fields.end(),
+                         [&](const int field) { return field >= 0 && &value == &material.fields[field].value; });
+    };
+    const auto by_volume = [&](std::vector<double> &value) {
       face_values(value, &ActiveFace::volume_kept);
-      if (&value == odd)
+      if (is_odd(value))
         odd_face_values(value, &ActiveFace::volume_kept, topology.axis);
       carry(value, flux, inverse_volume_, topology);
     };

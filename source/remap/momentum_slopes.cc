@@ -22,8 +22,8 @@ namespace whipple
   {
     if (nodes_.kind[node] != NodeKind::hanging)
       return state.node_mass[node] > 0;
-    const auto &master = mesh_->master[nodes_.hanging_place[node]];
-    return state.node_mass[master[0]] > 0 && state.node_mass[master[1]] > 0;
+    const Masters<dim> &masters = mesh_->master[nodes_.hanging_place[node]];
+    return std::all_of(masters.begin(), masters.end(), [&](Index master) { return state.node_mass[master] > 0; });
   }
 
   template <int dim>

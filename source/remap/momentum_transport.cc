@@ -191,9 +191,9 @@ namespace whipple
         add_flux(carried(node), share * inwards, excess_[node], velocity, exchange);
       else if (inwards > 0 && nodes_.kind[other] != NodeKind::hanging)
         add_flux(carried(other), share * inwards, excess_[other], velocity, exchange);
-      else if (inwards > 0) // a hanging node gives what its masters have, half each
+      else if (inwards > 0) // a hanging node gives what its masters have, an equal part each
         for (const Index master : mesh_->master[nodes_.hanging_place[other]])
-          add_flux(carried(master), 0.5 * share * inwards, excess_[master], velocity, exchange);
+          add_flux(carried(master), Masters<dim>::weight * share * inwards, excess_[master], velocity, exchange);
     };
     for (Index i = mesh_->node_corner_begin[corner_node]; i < mesh_->node_corner_begin[corner_node + 1]; ++i)
       {
@@ -219,7 +219,7 @@ namespace whipple
       return gather_interior(axis, node, velocity, exchange);
     gather_special(axis, node, node, 1., velocity, exchange);
     for (const Index h : nodes_.hanging_of(node))
-      gather_special(axis, node, h, 0.5, velocity, exchange);
+      gather_special(axis, node, h, Masters<dim>::weight, velocity, exchange);
     if (nodes_.on_side(node, axis))
       {
         add_flux(node, up_, -dual_.boundary_out[node], excess_[node], velocity, exchange);
@@ -347,13 +347,9 @@ namespace whipple
           report.kinetic_lost += loss;
         state.node_mass[n] = mass;
       }
-    for (std::size_t i = 0; i < mesh_->hanging.size(); ++i)
-      {
-        const Index h = mesh_->hanging[i], a = mesh_->master[i][0], b = mesh_->master[i][1];
-        for (int d = 0; d < dim; ++d)
-          state.velocity[d][h] = 0.5 * (state.velocity[d][a] + state.velocity[d][b]);
-        specific_loss_[h] = 0.5 * (specific_loss_[a] + specific_loss_[b]);
-      }
+    for (auto &component : state.velocity)
+      mesh_->hang(component);
+    mesh_->hang(specific_loss_);
   }
 
   template <int dim>

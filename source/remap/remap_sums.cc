@@ -7,7 +7,7 @@ namespace whipple
   namespace
   {
     const char *const            remap = "remap";
-    const ConversionRegistration registration(40, remap, ConversionRegistry::Listed::each_step);
+    const ConversionRegistration registration({40, remap}, ConversionListed::each_step);
   } // namespace
 
   template <int dim>

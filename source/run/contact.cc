@@ -36,7 +36,7 @@ namespace whipple
                 piece.held |= std::uint64_t{1} << d;
             }
         }
-      piece.size = std::sqrt(std::abs(geometry::volume<Symmetry::planar>(piece.x)));
+      piece.size = std::sqrt(std::abs(CellShape<2>::area(piece.x)));
       for (const MaterialState &m : state.material)
         {
           piece.mass += m.mass[c];

@@ -224,8 +224,8 @@ namespace whipple::contact
           point[0][d]         = middle;
           for (int i = 0; i < 4; ++i)
             {
-              const double a  = piece.x[d][geometry::walk[i]] - middle,
-                           b  = piece.x[d][geometry::walk[(i + 1) % 4]] - middle;
+              const double a  = piece.x[d][CellShape<2>::walk[i]] - middle,
+                           b  = piece.x[d][CellShape<2>::walk[(i + 1) % 4]] - middle;
               point[1 + i][d] = middle + reach * a;
               point[5 + i][d] = middle + reach * 0.5 * (a + b);
             }
@@ -344,12 +344,12 @@ namespace whipple::contact
   } // namespace
 
   bool
-  is_inside(const geometry::Quad &x, const Vector<2> &point)
+  is_inside(const CornerVectors<2> &x, const Vector<2> &point)
   {
     bool inside = false;
     for (int i = 0; i < 4; ++i)
       {
-        const int a = geometry::walk[i], b = geometry::walk[(i + 1) % 4];
+        const int a = CellShape<2>::walk[i], b = CellShape<2>::walk[(i + 1) % 4];
         if ((x[1][a] > point[1]) == (x[1][b] > point[1]))
           continue;
         const double crossing = x[0][a] + (x[0][b] - x[0][a]) * ((point[1] - x[1][a]) / (x[1][b] - x[1][a]));

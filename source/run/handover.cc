@@ -4,8 +4,8 @@
 #include <whipple/hydro/trace.h>
 #include <whipple/initial/painted_bodies.h>
 #include <whipple/initial/painting.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/mesh/collective.h>
-#include <whipple/mesh/geometry.h>
 #include <whipple/projection/debris_selection.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/intact_cells.h>
@@ -21,7 +21,7 @@ namespace whipple
 {
   namespace
   {
-    const ConversionRegistration registration(60, laid_down::projection, ConversionRegistry::Listed::at_end);
+    const ConversionRegistration registration({60, laid_down::projection}, ConversionListed::at_end);
 
     /// Bounding box of an element.
     template <int dim>
@@ -54,9 +54,8 @@ namespace whipple
           for (int d = 0; d < dim; ++d)
             state.position[d][n] = x[d];
         }
-      for (std::size_t h = 0; h < mesh.hanging.size(); ++h)
-        for (auto &x : state.position)
-          x[mesh.hanging[h]] = 0.5 * (x[mesh.master[h][0]] + x[mesh.master[h][1]]);
+      for (auto &x : state.position)
+        mesh.hang(x);
       agree(domain.communicator(), [&] { initialise_geometry(mesh, state); });
     }
 
@@ -96,11 +95,7 @@ namespace whipple
     volume(const Scene<dim> &scene)
     {
       const Vector<dim> upper = scene.upper_corner();
-      geometry::Quad    x;
-      for (int k = 0; k < 4; ++k)
-        for (int d = 0; d < dim; ++d)
-          x[d][k] = k >> d & 1 ? upper[d] : scene.lattice.origin[d];
-      return geometry::volume(scene.lattice.symmetry, x);
+      return cell_volume<dim>(scene.lattice.symmetry, CellShape<dim>::box(scene.lattice.origin, upper));
     }
 
     /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
@@ -279,7 +274,7 @@ namespace whipple
         criteria.void_cutoff    = stage.lagrangian->debris.void_cutoff;
         criteria.least_velocity = stage.lagrangian->debris.minimum_axial_velocity;
         if (stage.lagrangian->debris.behind)
-          criteria.plane = extent(scene_.bodies[*stage.lagrangian->debris.behind].shape).upper[1];
+          criteria.plane = extent(scene_.bodies[*stage.lagrangian->debris.behind].shape).upper[flight_axis<dim>];
       }
     // an element made of a trace would be nothing but void, phi = 1
     criteria.void_cutoff                 = std::min(criteria.void_cutoff, 1. - trace::share);

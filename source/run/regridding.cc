@@ -14,7 +14,7 @@ namespace whipple
 {
   namespace
   {
-    const ConversionRegistration registration(50, Regridding<2>::cause, ConversionRegistry::Listed::at_end);
+    const ConversionRegistration registration({50, Regridding<2>::cause}, ConversionListed::at_end);
 
     /// Work of a leaf for the partition: empty ones are mostly cells of the buffer, which cost about half a step.
     unsigned int

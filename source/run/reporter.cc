@@ -179,7 +179,7 @@ namespace whipple
     std::vector<std::string> names; // of the conversions, kept while the row refers to them
     std::vector<double>      converted;
     for (const auto &[key, listed] : ConversionRegistry::all())
-      if (listed == ConversionRegistry::Listed::each_step)
+      if (listed == ConversionListed::each_step)
         {
           names.push_back(conversion_name(key.second) + " [Mbar cm^3]");
           converted.push_back(ledger.bookings().of(key.second).converted.value_or(0.));

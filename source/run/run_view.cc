@@ -44,7 +44,7 @@ namespace whipple
     double            fastest = 0;
     for (Index n = 0; n < state.n_nodes(); ++n)
       if (state.node_mass[n] > 0)
-        fastest = std::max(fastest, state.velocity[1][n]);
+        fastest = std::max(fastest, state.velocity[flight_axis<dim>][n]);
     return max_over_ranks(fastest, run_.domain.communicator());
   }
 
@@ -60,13 +60,13 @@ namespace whipple
       for (int k = 0; k < corners; ++k)
         {
           const Index n = mesh.cell_node[c * corners + k];
-          place += state.position[1][n] / corners;
-          speed += state.velocity[1][n] / corners;
+          place += state.position[flight_axis<dim>][n] / corners;
+          speed += state.velocity[flight_axis<dim>][n] / corners;
         }
       return place > plane && speed > velocity;
     };
     const ConservedTotals<dim> sum = cell_sum<dim>(mesh, state, belongs, run_.domain.communicator());
-    return {sum.mass, sum.momentum[1]};
+    return {sum.mass, sum.momentum[flight_axis<dim>]};
   }
 
   template <int dim>

@@ -21,7 +21,7 @@ namespace whipple
     constexpr double sliver_share = 0.2;
 
     const char *const            released_fragments = "released fragments";
-    const ConversionRegistration registration(70, released_fragments, ConversionRegistry::Listed::at_end);
+    const ConversionRegistration registration({70, released_fragments}, ConversionListed::at_end);
 
     /// Owned cells of these keys.
     template <int dim>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/scene/box_shape.h>
 #include <whipple/scene/polygon_shape.h>
 #include <whipple/scene/shape_registry.h>
@@ -13,8 +13,7 @@ namespace whipple
   double
   box_volume(Symmetry symmetry, const Vector<2> &lower, const Vector<2> &upper)
   {
-    const geometry::Quad quad{{{{lower[0], upper[0], lower[0], upper[0]}}, {{lower[1], lower[1], upper[1], upper[1]}}}};
-    return geometry::volume(symmetry, quad);
+    return cell_volume(symmetry, CellShape<2>::box(lower, upper));
   }
 
   std::vector<Vector<2>>

@@ -40,7 +40,7 @@ namespace whipple::sections
     section.declare("Quiet levels", "2", "levels that solid material gives up where nothing has reached it yet");
     section.declare("Quiet velocity", "1 m/s", "velocity, and stress over impedance, below which nothing has");
     for (const auto &[name, criterion] : RefinementCriteria::all())
-      for (const CriterionEntry &entry : criterion.entries)
+      for (const SectionEntry &entry : criterion.entries)
         section.declare(entry.key, entry.default_value, entry.documentation);
     section.declare("Region", "", "with Refinement = region: 'lower corner, upper corner' of the box of finest cells");
     section.declare("Region levels", "1", "with Refinement = region: levels that cells outside the box give up");
@@ -107,12 +107,7 @@ namespace whipple::sections
     scene.mesh.solid_ratio    = section.between("Distended ratio", units::number, 1e-3, 0.9);
     scene.mesh.quiet_levels   = section.integer("Quiet levels", 0, max_levels);
     scene.mesh.quiet_velocity = section.positive("Quiet velocity", units::velocity);
-    CriterionInput input;
-    input.text    = [&](const std::string &key) { return section.text(key); };
-    input.integer = [&](const std::string &key, int low, int high) { return section.integer(key, low, high); };
-    input.number  = [&](const std::string &key, double low, double high) {
-      return section.between(key, units::number, low, high);
-    };
+    const SectionInput input  = section.input();
     for (const auto &[name, criterion] : RefinementCriteria::all())
       if (auto read = criterion.read(input))
         scene.mesh.criteria.push_back(std::move(read));

@@ -3,6 +3,8 @@
 #include <whipple/scene/nearest_name.h>
 #include <whipple/scene/parameters.h>
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -10,15 +12,18 @@ namespace whipple
 {
   SceneParameters::SceneParameters(std::string file)
     : file_(std::move(file))
+    , handler_(std::make_unique<dealii::ParameterHandler>())
   {
   }
+
+  SceneParameters::~SceneParameters() = default;
 
   void
   SceneParameters::declare(const std::string &section, const std::string &key, const std::string &default_value,
                            const std::string &documentation)
   {
     enter(section);
-    handler_.declare_entry(key, default_value, dealii::Patterns::Anything(), documentation);
+    handler_->declare_entry(key, default_value, dealii::Patterns::Anything(), documentation);
     leave(section);
     entries_.push_back({section, key, file_});
   }
@@ -37,7 +42,7 @@ namespace whipple
   SceneParameters::get(const std::string &section, const std::string &key)
   {
     enter(section);
-    const std::string value = handler_.get(key);
+    const std::string value = handler_->get(key);
     leave(section);
     return value;
   }
@@ -46,7 +51,7 @@ namespace whipple
   SceneParameters::replace(const std::string &section, const std::string &key, const std::string &value)
   {
     enter(section);
-    handler_.set(key, value);
+    handler_->set(key, value);
     leave(section);
   }
 
@@ -64,7 +69,7 @@ namespace whipple
   SceneParameters::print(const std::function<bool(const std::string &section)> &keep) const
   {
     std::stringstream all;
-    handler_.print_parameters(all, dealii::ParameterHandler::OutputStyle(
+    handler_->print_parameters(all, dealii::ParameterHandler::OutputStyle(
                                        dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder));
     std::string              text;
     std::vector<std::string> path;
@@ -120,7 +125,7 @@ namespace whipple
   {
     std::istringstream names(section);
     for (std::string name; std::getline(names, name, '/');)
-      handler_.enter_subsection(name);
+      handler_->enter_subsection(name);
   }
 
   void
@@ -128,6 +133,6 @@ namespace whipple
   {
     std::istringstream names(section);
     for (std::string name; std::getline(names, name, '/');)
-      handler_.leave_subsection();
+      handler_->leave_subsection();
   }
 } // namespace whipple

@@ -25,8 +25,8 @@ namespace whipple
     Box<dim> box;
     box.lower.fill(-half_width);
     box.upper.fill(half_width);
-    box.lower[1] = front;
-    box.upper[1] = front + thickness;
+    box.lower[flight_axis<dim>] = front;
+    box.upper[flight_axis<dim>] = front + thickness;
     return box;
   }
 
@@ -42,7 +42,7 @@ namespace whipple
   Plate<dim>::contains(const Vector<dim> &x) const
   {
     constexpr double round_off = 1e-12;
-    const double     depth     = x[1] - front;
+    const double     depth     = x[flight_axis<dim>] - front;
     return depth >= -round_off * thickness && depth <= (1. + round_off) * thickness &&
            std::abs(x[0]) <= (1. + round_off) * half_width;
   }

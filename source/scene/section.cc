@@ -81,6 +81,19 @@ namespace whipple
     return positive(key, what);
   }
 
+  SectionInput
+  SceneSection::input() const
+  {
+    SectionInput input;
+    input.text    = [this](const std::string &key) { return text(key); };
+    input.integer = [this](const std::string &key, int low, int high) { return integer(key, low, high); };
+    input.number  = [this](const std::string &key, double low, double high) {
+      return between(key, units::number, low, high);
+    };
+    input.length = [this](const std::string &key) { return positive(key, units::length); };
+    return input;
+  }
+
   int
   SceneSection::integer(const std::string &key, int lower, int upper) const
   {

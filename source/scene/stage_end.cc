@@ -13,8 +13,8 @@ namespace whipple
       return text.starts_with(phrase) && (phrase.empty() || text.size() == phrase.size() || text[phrase.size()] == ' ');
     };
     // the map is ordered and the empty phrase fits all: of those that fit, the longest comes last
-    auto found = entries().begin();
-    for (auto entry = entries().begin(); entry != entries().end(); ++entry)
+    auto found = all().begin();
+    for (auto entry = all().begin(); entry != all().end(); ++entry)
       if (begins(entry->first))
         found = entry;
     const std::size_t rest = text.find_first_not_of(' ', found->first.size());
@@ -26,7 +26,7 @@ namespace whipple
   StageEndRegistry::usage()
   {
     std::string text;
-    for (const auto &[phrase, entry] : entries())
+    for (const auto &[phrase, entry] : all())
       text += (text.empty() ? "" : " | ") + entry.usage;
     return text;
   }

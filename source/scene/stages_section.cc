@@ -45,8 +45,8 @@ namespace whipple::sections
       input.bodies = body_names(scene);
       for (const Body<dim> &body : scene.bodies)
         {
-          input.fronts.push_back(extent(body.shape).lower[1]);
-          input.rears.push_back(extent(body.shape).upper[1]);
+          input.fronts.push_back(extent(body.shape).lower[flight_axis<dim>]);
+          input.rears.push_back(extent(body.shape).upper[flight_axis<dim>]);
         }
       input.largest_speed = largest_body_speed(scene);
       input.value         = [&](const std::string &text, const units::Quantity &quantity) {
@@ -82,9 +82,7 @@ namespace whipple::sections
       for (const auto &[name, entry] : RepresentationRegistry::all())
         names.emplace_back(name, name);
       const std::string name = section.choice<std::string>("Representation", names);
-      return RepresentationRegistry::all().at(name).read(
-          {[&](const std::string &key) { return section.text(key); },
-           [&](const std::string &key) { return section.positive(key, units::length); }});
+      return RepresentationRegistry::all().at(name).read(section.input());
     }
 
     template <int dim>
@@ -231,7 +229,7 @@ namespace whipple::sections
                         "lagrangian after eulerian: only material beyond the rear face of this body; none: no limit");
         section.declare("Representation", "distended", "eulerian after lagrangian: " + RepresentationRegistry::usage());
         for (const auto &[representation, registered] : RepresentationRegistry::all())
-          for (const RepresentationEntry &entry : registered.entries)
+          for (const SectionEntry &entry : registered.entries)
             section.declare(entry.key, entry.default_value, entry.documentation);
       }
   }

@@ -36,7 +36,7 @@ namespace whipple
 
     for (std::size_t h = 0; h < mesh.hanging.size(); ++h)
       {
-        const auto [a, b]   = mesh.master[h];
+        const auto [a, b]   = mesh.master[h].ends();
         double difference_2 = 0;
         for (int d = 0; d < dim; ++d)
           {
@@ -49,7 +49,7 @@ namespace whipple
             const Index  corner = mesh.node_corner[i], cell = corner / corners;
             const double mass = corner_shares<dim>(state, cell)[corner % corners] * cell_mass<dim>(state, cell);
             for (int d = 0; d < dim; ++d)
-              result.velocity[d][corner] = 0.5 * (state.velocity[d][a] + state.velocity[d][b]);
+              result.velocity[d][corner] = mesh.master[h].mean(state.velocity[d]);
             result.kinetic_remainder[cell] += mass * difference_2 / 8.;
           }
       }

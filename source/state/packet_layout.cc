@@ -2,7 +2,7 @@
 #include <whipple/state/packet_layout.h>
 
 #include <whipple/error.h>
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_corners.h>
 
 #include <numeric>
 
@@ -82,21 +82,18 @@ namespace whipple
   namespace
   {
     /// True volumes and corner weights (shares of the integrals of N_k) of the undeformed cells.
-    template <Symmetry symmetry>
+    template <int dim>
     void
-    measure_cells(const FlatMesh<2> &mesh, State<2> &state)
+    measure_cells(const FlatMesh<dim> &mesh, State<dim> &state)
     {
       for (Index cell = 0; cell < mesh.n_cells; ++cell)
         {
-          geometry::Quad x;
-          for (int d = 0; d < 2; ++d)
-            for (int k = 0; k < 4; ++k)
-              x[d][k] = mesh.node_point[d][mesh.cell_node[cell * 4 + k]];
-          state.volume[cell]  = geometry::volume<symmetry>(x);
-          const auto   weight = geometry::corner_volume<symmetry>(x);
-          const double sum    = std::accumulate(weight.begin(), weight.end(), 0.);
-          for (int k = 0; k < 4; ++k)
-            state.corner_weight[cell * 4 + k] = weight[k] / sum;
+          const CornerVectors<dim> x      = cell_corners(mesh, mesh.node_point, cell);
+          const CornerValues<dim>  weight = corner_volume<dim>(mesh.symmetry, x);
+          const double             sum    = std::accumulate(weight.begin(), weight.end(), 0.);
+          state.volume[cell]              = cell_volume<dim>(mesh.symmetry, x);
+          for (std::size_t k = 0; k < weight.size(); ++k)
+            state.corner_weight[cell * weight.size() + k] = weight[k] / sum;
         }
     }
   } // namespace
@@ -115,10 +112,7 @@ namespace whipple
     state.node_mass.assign(nodes, 0.);
     state.volume.resize(cells);
     state.corner_weight.resize(cells << dim);
-    if (mesh.symmetry == Symmetry::planar)
-      measure_cells<Symmetry::planar>(mesh, state);
-    else
-      measure_cells<Symmetry::axisymmetric>(mesh, state);
+    measure_cells(mesh, state);
 
     for (const MaterialState &source : like.material)
       {

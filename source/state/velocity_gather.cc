@@ -113,7 +113,7 @@ namespace whipple
         std::vector<double>      mass = state_.node_mass;
         std::vector<Vector<dim>> gain(mesh_.n_nodes, Vector<dim>{});
         for_hanging_corners([&](Index corner, Index a, Index b) {
-          const double half = 0.5 * corner_mass_[corner];
+          const double half = Masters<dim>::weight * corner_mass_[corner];
           for (const Index master : {a, b})
             {
               mass[master] += half;
@@ -132,13 +132,10 @@ namespace whipple
                   v                 = 0;
                 }
             }
-        for (std::size_t h = 0; h < mesh_.hanging.size(); ++h)
-          {
-            const auto [a, b]      = mesh_.master[h];
-            mass[mesh_.hanging[h]] = 0;
-            for (int d = 0; d < dim; ++d)
-              state_.velocity[d][mesh_.hanging[h]] = 0.5 * (state_.velocity[d][a] + state_.velocity[d][b]);
-          }
+        for (const Index node : mesh_.hanging)
+          mass[node] = 0;
+        for (auto &component : state_.velocity)
+          mesh_.hang(component);
         state_.node_mass = std::move(mass);
       }
 

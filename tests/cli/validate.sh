@@ -4,7 +4,7 @@
 program=$1
 source=$2
 
-for scene in "$source"/prm/*.prm "$source"/prm/verification/*.prm; do
+for scene in "$source"/prm/*.prm "$source"/prm/verification/*.prm "$source"/bench/*.prm; do
   "$program" run "$scene" --validate
 done
 for study in "$source"/prm/studies/*.prm "$source"/prm/verification/*.prm; do

@@ -77,7 +77,7 @@ namespace
 
   /// Bytes of the work arrays of one material that only some effect needs.
   std::size_t
-  optional_work(const MaterialWork &work)
+  optional_work(const MaterialWork<2> &work)
   {
     std::size_t values = 0;
     for (const auto *array : {&work.half_pressure, &work.void_fraction, &work.stress[0], &work.stress[1],
@@ -119,8 +119,8 @@ namespace
     EXPECT_EQ(run.passes.pass.size(), 3); // failure, fragment size, heat conduction
     EXPECT_EQ(run.state.material[0].void_fraction.size(), 8);
     EXPECT_EQ(run.state.material[0].fields.size(), 8);
-    const StepWork<2>  &work = run.lagrange.before();
-    const MaterialWork &next = work.material[0];
+    const StepWork<2>     &work = run.lagrange.before();
+    const MaterialWork<2> &next = work.material[0];
     EXPECT_TRUE(work.has_strength);
     EXPECT_EQ(run.derived.strain_rate.size(), 8); // Johnson and Cook ask for it
     const DerivedMaterial &derived = run.derived.material[0];

@@ -82,7 +82,7 @@ namespace
           DerivedMaterial &from = derived.material.emplace_back();
           from.pressure.assign(mesh.n_cells, 0.);
           from.sound_speed.assign(mesh.n_cells, 0.);
-          MaterialWork &work = before.material.emplace_back();
+          MaterialWork<2> &work = before.material.emplace_back();
           for (auto *array : {&work.density, &work.plastic_strain})
             array->assign(mesh.n_cells, 0.);
           work.density = material.density;

@@ -2,7 +2,7 @@
 // Elements gathered into solid pieces: what must stay exact, and what a piece is (doc/theory/fragments.md).
 #include "projection_fixture.h"
 
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/projection/form_fragments.h>
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ namespace
                   solid_before += was[cloud.layout.volume(m)] * (1. - was[cloud.layout.void_fraction(m)]);
                   EXPECT_EQ(pieces[i].packet[cloud.layout.void_fraction(m)], 0.);
                 }
-              EXPECT_NEAR(geometry::volume(symmetry, pieces[i].position), solid, 1e-12 * solid);
+              EXPECT_NEAR(cell_volume(symmetry, pieces[i].position), solid, 1e-12 * solid);
               solid_after += solid;
             }
           EXPECT_NEAR(solid_after, solid_before, 1e-13 * solid_before);

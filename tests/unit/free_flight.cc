@@ -3,7 +3,7 @@
 #include "projection_fixture.h"
 
 #include <whipple/hydro/free_flight.h>
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 
 #include <gtest/gtest.h>
 

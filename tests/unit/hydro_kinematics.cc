@@ -45,10 +45,10 @@ namespace
     initialise_geometry(mesh, state);
   }
 
-  geometry::Quad
+  CornerVectors<2>
   corners(const FlatMesh<2> &mesh, const std::array<std::vector<double>, 2> &field, Index cell)
   {
-    geometry::Quad value;
+    CornerVectors<2> value;
     for (int k = 0; k < 4; ++k)
       for (int d = 0; d < 2; ++d)
         value[d][k] = field[d][mesh.cell_node[cell * 4 + k]];
@@ -56,11 +56,11 @@ namespace
   }
 
   template <Symmetry symmetry>
-  VelocityGradient<double>
-  gradient_of(const geometry::Quad &x, const geometry::Quad &v)
+  VelocityGradient<2, double>
+  gradient_of(const CornerVectors<2> &x, const CornerVectors<2> &v)
   {
-    return velocity_gradient(geometry::volume_gradient<symmetry>(x), geometry::hoop_weight<symmetry>(x),
-                             geometry::volume<symmetry>(x), v);
+    return velocity_gradient<2>(CellGeometry<2, symmetry>::volume_gradient(x),
+                                CellGeometry<2, symmetry>::hoop_weight(x), CellGeometry<2, symmetry>::volume(x), v);
   }
 
   TEST(HydroKinematics, LinearVelocityIsSeenExactlyAndWithoutHourglass)
@@ -72,8 +72,8 @@ namespace
     figure::Largest difference("v_r = a r: relative difference of radial and hoop rate", "round-off");
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
-        const geometry::Quad x = corners(mesh, state.position, cell), v = corners(mesh, state.velocity, cell);
-        const auto           gradient = gradient_of<Symmetry::axisymmetric>(x, v);
+        const CornerVectors<2> x = corners(mesh, state.position, cell), v = corners(mesh, state.velocity, cell);
+        const auto             gradient = gradient_of<Symmetry::axisymmetric>(x, v);
         difference(gradient.hoop / gradient.l[0][0] - 1.);
         EXPECT_NEAR(gradient.hoop, 0.3, 1e-13);
         EXPECT_NEAR(gradient.l[0][0], 0.3, 1e-13);

@@ -164,7 +164,7 @@ namespace
   }
 
   /// Corners of the square [0, h]^2.
-  geometry::Quad
+  CornerVectors<2>
   square(double h)
   {
     return {{{{0., h, 0., h}}, {{0., 0., h, h}}}};
@@ -174,14 +174,14 @@ namespace
   viscosity::PlaneStress<double>
   stress_of(const std::array<std::array<double, 2>, 2> &g, double h = 0.1)
   {
-    const auto     x = square(h);
-    geometry::Quad v;
+    const auto       x = square(h);
+    CornerVectors<2> v;
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 2; ++i)
         v[i][k] = g[i][0] * x[0][k] + g[i][1] * x[1][k];
-    const auto gradient =
-        velocity_gradient(geometry::volume_gradient<Symmetry::planar>(x), geometry::hoop_weight<Symmetry::planar>(x),
-                          geometry::volume<Symmetry::planar>(x), v);
+    const auto gradient = velocity_gradient<2>(CellGeometry<2, Symmetry::planar>::volume_gradient(x),
+                                               CellGeometry<2, Symmetry::planar>::hoop_weight(x),
+                                               CellGeometry<2, Symmetry::planar>::volume(x), v);
     return viscosity::tensor_stress<double>({}, x, gradient, 2., 0.5, {{0., 0.}});
   }
 

@@ -170,19 +170,19 @@ TEST(PolygonClip, UniformVelocityKeepsItsBits)
 
 TEST(PolygonClip, NonConvexQuadIsCutAtItsReflexCorner)
 {
-  const geometry::Quad dart{{{{0., 1., 0., 0.2}}, {{0., 0., 1., 0.2}}}}; // corner 3 pushed inside
-  const Bisection      cut = bisect(dart, {});
+  const CornerVectors<2> dart{{{{0., 1., 0., 0.2}}, {{0., 0., 1., 0.2}}}}; // corner 3 pushed inside
+  const Bisection        cut = bisect(dart, {});
   EXPECT_FALSE(cut.folded);
   EXPECT_GT(signed_double_area(cut.triangle[0]), 0.);
   EXPECT_GT(signed_double_area(cut.triangle[1]), 0.);
-  EXPECT_NEAR(signed_double_area(cut.triangle[0]) + signed_double_area(cut.triangle[1]),
-              2. * geometry::volume<Symmetry::planar>(dart), 1e-15);
+  EXPECT_NEAR(signed_double_area(cut.triangle[0]) + signed_double_area(cut.triangle[1]), 2. * CellShape<2>::area(dart),
+              1e-15);
 }
 
 TEST(PolygonClip, FoldedQuadIsTurnedOver)
 {
-  const geometry::Quad bow_tie{{{{0., 1., 1.2, 0.}}, {{0., 0., 1., 1.}}}};
-  const Bisection      cut = bisect(bow_tie, {});
+  const CornerVectors<2> bow_tie{{{{0., 1., 1.2, 0.}}, {{0., 0., 1., 1.}}}};
+  const Bisection        cut = bisect(bow_tie, {});
   EXPECT_TRUE(cut.folded);
   for (const Triangle &t : cut.triangle)
     EXPECT_GE(signed_double_area(t), 0.);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/mesh/flat_builder.h>
-#include <whipple/mesh/geometry.h>
 #include <whipple/remap/directional_remap.h>
 
 #include <algorithm>
@@ -52,11 +52,11 @@ namespace remap_case
   inline double
   cell_volume(const Mesh &mesh, const State<2> &state, const Index c)
   {
-    whipple::geometry::Quad x;
+    whipple::CornerVectors<2> x;
     for (int d = 0; d < 2; ++d)
       for (int k = 0; k < 4; ++k)
         x[d][k] = state.position[d][mesh.cell_node[4 * c + k]];
-    return whipple::geometry::volume(mesh.symmetry, x);
+    return whipple::cell_volume(mesh.symmetry, x);
   }
 
   /// Empty state at rest on the undeformed mesh; every material has phi and one field of each carrier.
@@ -75,12 +75,11 @@ namespace remap_case
     for (Index c = 0; c < mesh.n_cells; ++c)
       {
         state.volume[c] = cell_volume(mesh, state, c);
-        whipple::geometry::Quad x;
+        whipple::CornerVectors<2> x;
         for (int d = 0; d < 2; ++d)
           for (int k = 0; k < 4; ++k)
             x[d][k] = state.position[d][mesh.cell_node[4 * c + k]];
-        const auto w = mesh.symmetry == Symmetry::planar ? whipple::geometry::corner_volume<Symmetry::planar>(x)
-                                                         : whipple::geometry::corner_volume<Symmetry::axisymmetric>(x);
+        const auto w = whipple::corner_volume(mesh.symmetry, x);
         for (int k = 0; k < 4; ++k)
           state.corner_weight[4 * c + k] = w[k] / (w[0] + w[1] + w[2] + w[3]);
       }

@@ -94,7 +94,7 @@ namespace
   {
     std::uniform_real_distribution<double> unit(-1., 1.);
     State<2>                               state = empty_state(mesh, n_materials);
-    state.index.stress_01                        = shear;
+    state.index.stress[2]                        = shear;
     for (Index n = 0; n < mesh.n_nodes; ++n)
       for (int d = 0; d < 2; ++d)
         state.velocity[d][n] = mesh.node_side[n] >> 2 * d & 3 ? 0. : unit(random);

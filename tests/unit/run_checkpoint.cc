@@ -49,8 +49,8 @@ namespace
     amount.internal_energy = 1e300;
     amount.kinetic_energy  = 2. / 7.;
     books.ledger.introduce(amount);
-    books.ledger.drop("not debris", amount);
-    books.ledger.convert("remap", 1. / 49.);
+    books.ledger.enter("not debris", {.dropped = amount});
+    books.ledger.enter("remap", {.converted = 1. / 49.});
     books.ledger.note("squeezed", 3., 1e-17, "cm^3");
     books.summary.scene = "x.prm";
     summary::Stage stage;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/scene/body_volume.h>
 #include <whipple/scene/plate_shape.h>
 #include <whipple/scene/sphere_shape.h>
@@ -103,14 +103,15 @@ namespace
   // Painted cells must be exactly full inside a body: no traces of open void.
   TEST(SceneBodyVolume, CellsInsideAreFullToTheBit)
   {
-    const Vector<2>      lower{0.0123, -0.1877}, upper{0.0163, -0.1837};
-    const geometry::Quad quad{{{{lower[0], upper[0], lower[0], upper[0]}}, {{lower[1], lower[1], upper[1], upper[1]}}}};
+    const Vector<2>        lower{0.0123, -0.1877}, upper{0.0163, -0.1837};
+    const CornerVectors<2> quad = CellShape<2>::box(lower, upper);
     for (const Shape<2> &shape :
          {Shape<2>(Sphere<2>{{0, -0.16}, 0.32}), Shape<2>(Plate<2>{-0.2, 0.081}), Shape<2>(Box<2>{{0, -1}, {1, 1}})})
       {
         EXPECT_EQ(body_volume<2>(Symmetry::axisymmetric, shape, lower, upper),
-                  geometry::volume<Symmetry::axisymmetric>(quad));
-        EXPECT_EQ(body_volume<2>(Symmetry::planar, shape, lower, upper), geometry::volume<Symmetry::planar>(quad));
+                  CellGeometry<2, Symmetry::axisymmetric>::volume(quad));
+        EXPECT_EQ(body_volume<2>(Symmetry::planar, shape, lower, upper),
+                  CellGeometry<2, Symmetry::planar>::volume(quad));
       }
   }
 

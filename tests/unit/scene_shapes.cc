@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Shapes made of straight edges: their volumes against formulas, how they are cut, turned and kept apart, and that what
 // is registered can be asked for.
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/scene/body_volume.h>
 #include <whipple/scene/box_shape.h>
 #include <whipple/scene/plate_shape.h>
@@ -43,8 +43,9 @@ namespace
     for (std::size_t i = 0; i < x.size(); ++i)
       {
         const Vector<2> &a = x[i], &b = x[(i + 1) % x.size()];
-        sum += symmetry == Symmetry::planar ? geometry::edge_volume<Symmetry::planar>(a[0], a[1], b[0], b[1])
-                                            : geometry::edge_volume<Symmetry::axisymmetric>(a[0], a[1], b[0], b[1]);
+        sum += symmetry == Symmetry::planar
+                   ? CellGeometry<2, Symmetry::planar>::edge_volume(a[0], a[1], b[0], b[1])
+                   : CellGeometry<2, Symmetry::axisymmetric>::edge_volume(a[0], a[1], b[0], b[1]);
       }
     return std::abs(sum);
   }

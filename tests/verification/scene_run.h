@@ -53,8 +53,8 @@ namespace whipple::verification
       if (m.mass[c] > 0)
         {
           CellSample s{{0, 0}, state.volume[c], 0, m.mass[c] / state.volume[c], 0, pressure[c], pressure[c]};
-          if (state.index.stress_11 >= 0)
-            s.stress -= m.fields[state.index.stress_11].value[c];
+          if (state.index.stress[1] >= 0)
+            s.stress -= m.fields[state.index.stress[1]].value[c];
           for (int k = 0; k < 4; ++k)
             {
               const Index n = mesh.cell_node[4 * c + k];

@@ -4,6 +4,7 @@
 #include <whipple/diagnostics/result_table.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/problem/problem.h>
+#include <whipple/registry.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -110,61 +111,43 @@ namespace whipple
     step_done(const MeasureView<dim> &view, double dt, std::vector<double> &memory, const WriteRow &write) const = 0;
   };
 
-  /// All measures there are. Filled before main() by the one line
-  ///
-  ///     const MeasureRegistration<2> registration(40, "plates", std::make_shared<Plates>());
-  ///
-  /// at the end of each measure's own file; never changed afterwards.
+  /// A measure, or something that watches.
   template <int dim>
-  class MeasureRegistry
+  struct MeasureKind
   {
-  public:
     /// Something to watch in this scene; null if there is nothing.
     using MakeWatch =
         std::function<std::unique_ptr<const Watch<dim>>(const Scene<dim> &scene, const FieldLayout &layout)>;
-    struct Entry
-    {
-      std::shared_ptr<const Measure<dim>> measure; ///< null: it only watches
-      MakeWatch                           watch;   ///< empty: it never watches
-    };
-    /// Place in the order, then name.
-    using Key = std::pair<int, std::string>;
 
-    /// In the order in which they measure.
-    static const std::map<Key, Entry> &
-    all()
-    {
-      return entries();
-    }
-
-  private:
-    template <int>
-    friend class MeasureRegistration;
-
-    static std::map<Key, Entry> &
-    entries()
-    {
-      static std::map<Key, Entry> registry;
-      return registry;
-    }
+    std::shared_ptr<const Measure<dim>> measure; ///< null: it only watches
+    MakeWatch                           watch;   ///< empty: it never watches
   };
 
-  /// Makes a measure known.
+  /// All measures there are, in the order in which they measure: by place, then name.
+  template <int dim>
+  class MeasureRegistry : public Registry<MeasureRegistry<dim>, MeasureKind<dim>, std::pair<int, std::string>>
+  {
+  };
+
+  /// Makes a measure known: one line at the end of its file,
+  ///
+  ///     const MeasureRegistration<2> registration(40, "plates", std::make_shared<Plates>());
   template <int dim>
   class MeasureRegistration
   {
   public:
     /// @param place in the order of all measures
     MeasureRegistration(int place, const std::string &name, std::shared_ptr<const Measure<dim>> measure)
+      : registered_({place, name}, {std::move(measure), {}})
     {
-      MeasureRegistry<dim>::entries().emplace(std::pair(place, name),
-                                              typename MeasureRegistry<dim>::Entry{std::move(measure), {}});
     }
-    MeasureRegistration(int place, const std::string &name, typename MeasureRegistry<dim>::MakeWatch watch)
+    MeasureRegistration(int place, const std::string &name, typename MeasureKind<dim>::MakeWatch watch)
+      : registered_({place, name}, {nullptr, std::move(watch)})
     {
-      MeasureRegistry<dim>::entries().emplace(std::pair(place, name),
-                                              typename MeasureRegistry<dim>::Entry{nullptr, std::move(watch)});
     }
+
+  private:
+    typename MeasureRegistry<dim>::Registered registered_;
   };
 
   /// All results that there will be if a run runs to its end, by place; only names and types count.

@@ -4,6 +4,7 @@
 #include <whipple/effect/effect_pass.h>
 #include <whipple/effect/scene_outlook.h>
 #include <whipple/material/model_description.h>
+#include <whipple/registry.h>
 #include <whipple/state/fields.h>
 
 #include <functional>
@@ -50,100 +51,77 @@ namespace whipple
         check = {};
   };
 
-  /// All options of the step, by name. Filled before main() by one line at the end of each option's own file,
-  ///
-  ///     const StepOptionRegistration registration({.name = "strength", ...});
-  class StepOptionRegistry
+  /// All options of the step, by name.
+  class StepOptionRegistry : public Registry<StepOptionRegistry, EffectDescription>
   {
-  public:
-    static const std::map<std::string, EffectDescription> &
-    all()
-    {
-      return entries();
-    }
-
-  private:
-    friend class StepOptionRegistration;
-
-    static std::map<std::string, EffectDescription> &
-    entries()
-    {
-      static std::map<std::string, EffectDescription> registry;
-      return registry;
-    }
   };
 
-  /// Makes an option of the step known.
+  /// Makes an option of the step known: one line at the end of its file,
+  ///
+  ///     const StepOptionRegistration registration({.name = "strength", ...});
   class StepOptionRegistration
   {
   public:
     explicit StepOptionRegistration(const EffectDescription &description)
+      : registered_(description.name, description)
     {
-      StepOptionRegistry::entries().emplace(description.name, description);
     }
+
+  private:
+    StepOptionRegistry::Registered registered_;
   };
 
-  /// All effects, in the order in which they work. Filled before main() by one line at the end of each effect's own
-  /// file,
-  ///
-  ///     const EffectRegistration<2> registration(40, {.name = "failure", ...}, [](const EffectSetup<2> &setup) {
-  ///       return std::make_unique<FailurePass>(setup);
-  ///     });
+  /// An effect: what it says of itself, and how its pass is made.
   template <int dim>
-  class EffectRegistry
+  struct EffectKind
+  {
+    EffectDescription                                                         description;
+    std::function<std::unique_ptr<EffectPass<dim>>(const EffectSetup<dim> &)> make;
+  };
+
+  /// All effects, in the order in which they work: by place, then name.
+  template <int dim>
+  class EffectRegistry : public Registry<EffectRegistry<dim>, EffectKind<dim>, std::pair<int, std::string>>
   {
   public:
-    using Make = std::function<std::unique_ptr<EffectPass<dim>>(const EffectSetup<dim> &)>;
-    struct Entry
-    {
-      EffectDescription description;
-      Make              make;
-    };
-    /// Place in the order, then name.
-    using Key = std::pair<int, std::string>;
-
-    static const std::map<Key, Entry> &
-    all()
-    {
-      return entries();
-    }
-
     /// The effect of that name, null if there is none.
-    static const Entry *
+    static const EffectKind<dim> *
     find(const std::string &name)
     {
-      for (const auto &[key, entry] : entries())
+      for (const auto &[key, entry] : EffectRegistry::all())
         if (key.second == name)
           return &entry;
       return nullptr;
     }
-
-  private:
-    template <int>
-    friend class EffectRegistration;
-
-    static std::map<Key, Entry> &
-    entries()
-    {
-      static std::map<Key, Entry> registry;
-      return registry;
-    }
   };
 
-  /// Makes an effect known.
+  /// Makes an effect known: one line at the end of its file,
+  ///
+  ///     const EffectRegistration<2> registration(40, {.name = "failure", ...}, [](const EffectSetup<2> &setup) {
+  ///       return std::make_unique<FailurePass>(setup);
+  ///     });
   template <int dim>
   class EffectRegistration
   {
   public:
     /// @param place in the order of all effects: smaller ones work first
     /// @throws std::logic_error, and so ends the program before main(), if there is one of that name
-    EffectRegistration(int place, const EffectDescription &description, typename EffectRegistry<dim>::Make make)
+    EffectRegistration(int place, const EffectDescription &description, decltype(EffectKind<dim>::make) make)
+      : registered_({place, only(description.name)}, {description, std::move(make)})
     {
-      if (EffectRegistry<dim>::find(description.name))
-        throw std::logic_error("two effects are called '" + description.name + "'");
-      EffectRegistry<dim>::entries().emplace(std::pair(place, description.name),
-                                             typename EffectRegistry<dim>::Entry{description, std::move(make)});
     }
+
+  private:
+    /// The name, if no effect has it, at another place.
+    static const std::string &
+    only(const std::string &name)
+    {
+      if (EffectRegistry<dim>::find(name))
+        throw std::logic_error("two effects are called '" + name + "'");
+      return name;
+    }
+
+    typename EffectRegistry<dim>::Registered registered_;
   };
 
   /// Passes of a run and the books that they enter into.

@@ -13,14 +13,18 @@ namespace whipple::cell_kernels
   inline std::array<Pack, 2>
   neighbour_rates(int axis, Index first, const StepWork<dim> &work)
   {
-    const Index         last = static_cast<Index>(work.mass.size()) - 1;
+    constexpr int       subfaces = FlatMesh<dim>::subfaces;
+    const Index         last     = static_cast<Index>(work.mass.size()) - 1;
     std::array<Pack, 2> side{Pack(0.), Pack(0.)};
     if (work.has_neighbours)
       for (int upper = 0; upper < 2; ++upper)
         side[upper] = Pack([&](auto lane) {
           const auto &near = work.neighbours[std::min<Index>(first + static_cast<Index>(lane), last)];
-          const int   i    = 4 * axis + 2 * upper;
-          return 0.5 * (work.stretch_rate[axis][near[i]] + work.stretch_rate[axis][near[i + 1]]);
+          const int   i    = subfaces * (2 * axis + upper);
+          double      sum  = work.stretch_rate[axis][near[i]];
+          for (int s = 1; s < subfaces; ++s)
+            sum += work.stretch_rate[axis][near[i + s]];
+          return (1. / subfaces) * sum;
         });
     return side;
   }
@@ -28,8 +32,8 @@ namespace whipple::cell_kernels
   /// Limited viscosity of both directions; 0 unless the cell loses volume.
   template <int dim>
   inline Pack
-  artificial_viscosity(const HydroParameters &parameters, const geometry::QuadOf<Pack> &x,
-                       const geometry::QuadOf<Pack> &v, const Pack &divergence, const Pack &density,
+  artificial_viscosity(const HydroParameters &parameters, const CornerVectors<dim, Pack> &x,
+                       const CornerVectors<dim, Pack> &v, const Pack &divergence, const Pack &density,
                        const Pack &sound_speed, Index first, const StepWork<dim> &work)
   {
     const auto compressed = divergence < 0. && density > 0.;
@@ -47,15 +51,15 @@ namespace whipple::cell_kernels
 
   /// Forces of the viscous stress; 0 unless the cell loses volume.
   template <int dim>
-  inline geometry::QuadOf<Pack>
-  tensor_force(const HydroParameters &parameters, const geometry::QuadOf<Pack> &x, const geometry::QuadOf<Pack> &v,
-               const VelocityGradient<Pack> &gradient, const HalfStepPack &half, const Pack &density,
+  inline CornerVectors<dim, Pack>
+  tensor_force(const HydroParameters &parameters, const CornerVectors<dim, Pack> &x, const CornerVectors<dim, Pack> &v,
+               const VelocityGradient<dim, Pack> &gradient, const HalfStepPack<dim> &half, const Pack &density,
                const Pack &sound_speed, Index first, const StepWork<dim> &work)
   {
     const auto compressed = gradient.divergence() < 0. && density > 0.;
     if (none_of(compressed))
       return {};
-    std::array<Pack, 2> psi;
+    std::array<Pack, dim> psi;
     for (int d = 0; d < dim; ++d)
       {
         const Pack rate    = viscosity::stretch(d, x, v).rate;
@@ -63,25 +67,26 @@ namespace whipple::cell_kernels
         const auto side    = neighbour_rates(d, first, work);
         psi[d] = select(shrinks, viscosity::limiter(select(shrinks, rate, Pack(-1.)), side[0], side[1]), Pack(0.));
       }
-    const auto             stress = viscosity::tensor_stress(parameters, x, gradient, density, sound_speed, psi);
-    geometry::QuadOf<Pack> force;
-    for (int k = 0; k < 4; ++k)
+    const auto               stress = viscosity::tensor_stress(parameters, x, gradient, density, sound_speed, psi);
+    CornerVectors<dim, Pack> force;
+    for (int k = 0; k < FlatMesh<dim>::corners; ++k)
       {
-        const Pack g0 = half.volume_gradient[0][k] - half.hoop[k], g1 = half.volume_gradient[1][k];
-        force[0][k] = select(compressed, Pack(-(stress.s00 * g0 + stress.s01 * g1)), Pack(0.));
-        force[1][k] = select(compressed, Pack(-(stress.s01 * g0 + stress.s11 * g1)), Pack(0.));
+        const auto pull = stress.on(shape_gradient<dim>(k, half.volume_gradient, half.hoop));
+        for (int d = 0; d < dim; ++d)
+          force[d][k] = select(compressed, Pack(-pull[d]), Pack(0.));
       }
     return force;
   }
 
   /// Add viscous forces, scaled with the part of a compression that the materials take.
   /// @param kept the scaled forces, for the energy they turn into heat
+  template <int dim>
   inline void
-  add_viscous(const geometry::QuadOf<Pack> &viscous, const Pack &part, geometry::QuadOf<Pack> &force,
-              geometry::QuadOf<Pack> &kept)
+  add_viscous(const CornerVectors<dim, Pack> &viscous, const Pack &part, CornerVectors<dim, Pack> &force,
+              CornerVectors<dim, Pack> &kept)
   {
-    for (int d = 0; d < 2; ++d)
-      for (int k = 0; k < 4; ++k)
+    for (int d = 0; d < dim; ++d)
+      for (int k = 0; k < FlatMesh<dim>::corners; ++k)
         {
           kept[d][k] = part * viscous[d][k];
           force[d][k] += kept[d][k];

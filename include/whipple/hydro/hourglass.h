@@ -23,8 +23,8 @@ namespace whipple::hourglass
   /// linear in position. @param shape moments of the corner positions, cm
   template <typename Number>
   inline std::array<Number, 2>
-  velocity(const std::array<Number, 2> &shape, const VelocityGradient<Number> &gradient,
-           const geometry::QuadOf<Number> &v)
+  velocity(const std::array<Number, 2> &shape, const VelocityGradient<2, Number> &gradient,
+           const CornerVectors<2, Number> &v)
   {
     std::array<Number, 2> rate;
     for (int i = 0; i < 2; ++i)
@@ -32,11 +32,11 @@ namespace whipple::hourglass
     return rate;
   }
 
-  /// gamma_k. @param g0, g1 components of g_k = B_k - h_k e_r
+  /// gamma_k. @param g g_k = B_k - h_k e_r (shape_gradient())
   template <typename Number>
   inline Number
-  shape_vector(int k, const std::array<Number, 2> &shape, const Number &g0, const Number &g1, const Number &inverse)
+  shape_vector(int k, const std::array<Number, 2> &shape, const std::array<Number, 2> &g, const Number &inverse)
   {
-    return alternating[k] - (shape[0] * g0 + shape[1] * g1) * inverse;
+    return alternating[k] - (shape[0] * g[0] + shape[1] * g[1]) * inverse;
   }
 } // namespace whipple::hourglass

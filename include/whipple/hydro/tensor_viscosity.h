@@ -13,6 +13,13 @@ namespace whipple::viscosity
   struct PlaneStress
   {
     Number s00, s11, s01;
+
+    /// Its product with a vector.
+    std::array<Number, 2>
+    on(const std::array<Number, 2> &g) const
+    {
+      return {s00 * g[0] + s01 * g[1], s01 * g[0] + s11 * g[1]};
+    }
   };
 
   /// One principal direction s of the rate of deformation.
@@ -27,8 +34,8 @@ namespace whipple::viscosity
   /// @param psi shares of compression that the neighbours continue along the two logical directions (limiter())
   template <typename Number>
   inline PlaneStress<Number>
-  tensor_stress(const HydroParameters &parameters, const geometry::QuadOf<Number> &x,
-                const VelocityGradient<Number> &gradient, const Number &density, const Number &sound_speed,
+  tensor_stress(const HydroParameters &parameters, const CornerVectors<2, Number> &x,
+                const VelocityGradient<2, Number> &gradient, const Number &density, const Number &sound_speed,
                 const std::array<Number, 2> &psi)
   {
     using std::max;

@@ -14,15 +14,17 @@ namespace whipple::trace
 
   /// Lanes in which a material has a state of its own.
   /// @param volume of the cells, cm^3
+  template <int dim>
   inline Pack::mask_type
-  has_state(const MaterialState &material, const MaterialWork &work, const Pack &volume, Index first)
+  has_state(const MaterialState &material, const MaterialWork<dim> &work, const Pack &volume, Index first)
   {
     return load(material.mass, first) > work.trace_density * volume;
   }
 
   /// The same for one cell.
+  template <int dim>
   inline bool
-  has_state(const MaterialState &material, const MaterialWork &work, double volume, Index cell)
+  has_state(const MaterialState &material, const MaterialWork<dim> &work, double volume, Index cell)
   {
     return material.mass[cell] > work.trace_density * volume;
   }

@@ -3,7 +3,7 @@
 
 #include <whipple/hydro/hydro_parameters.h>
 #include <whipple/hydro/pack.h>
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 
 #include <array>
 
@@ -34,7 +34,7 @@ namespace whipple::viscosity
   /// Stretch along `axis` of a cell with corners x, cm, and corner velocities v, cm/us.
   template <typename Number>
   inline Stretch<Number>
-  stretch(int axis, const geometry::QuadOf<Number> &x, const geometry::QuadOf<Number> &v)
+  stretch(int axis, const CornerVectors<2, Number> &x, const CornerVectors<2, Number> &v)
   {
     using std::sqrt;
     const Number e0 = along(axis, x[0]), e1 = along(axis, x[1]);
@@ -61,7 +61,7 @@ namespace whipple::viscosity
   /// does not.
   template <typename Number>
   inline Number
-  thin_jump(const geometry::QuadOf<Number> &x, const geometry::QuadOf<Number> &v)
+  thin_jump(const CornerVectors<2, Number> &x, const CornerVectors<2, Number> &v)
   {
     using std::max;
     using std::sqrt;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <whipple/exact/exact_solution.h>
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 
 #include <vector>
 
@@ -22,7 +22,8 @@ namespace whipple
   /// where it looks like jumping otherwise, Gauss' rule on quarters of quarters, down to a 16th of the cell's edge.
   template <int dim>
   std::vector<VolumePoint<dim>>
-  volume_points(const exact::ExactSolution<dim> &solution, Symmetry symmetry, const geometry::Quad &cell, double time);
+  volume_points(const exact::ExactSolution<dim> &solution, Symmetry symmetry, const CornerVectors<2> &cell,
+                double time);
 
   /// Means of an exact solution over volume points; what it does not give at one of them is not_given.
   template <int dim>

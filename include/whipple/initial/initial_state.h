@@ -3,7 +3,6 @@
 
 #include <whipple/exact/exact_solution.h>
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/mesh/geometry.h>
 #include <whipple/problem/field_layout.h>
 #include <whipple/state/corner_velocity.h>
 #include <whipple/state/fields.h>
@@ -21,18 +20,6 @@ namespace whipple
     double                            energy  = 0; ///< Mbar cm^3/g
     std::array<Vector<dim>, 1 << dim> velocity{};  ///< of its corners, cm/us
   };
-
-  /// Corners of a cell where the state has its nodes.
-  template <int dim>
-  geometry::QuadOf<double>
-  cell_corners(const FlatMesh<dim> &mesh, const State<dim> &state, Index cell);
-
-  /// Mean of a cell's corners.
-  inline Vector<2>
-  cell_middle(const geometry::Quad &x)
-  {
-    return {{0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]), 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3])}};
-  }
 
   /// Fills the cells of bodies with an exact solution, that of a scene or the expressions of a body: mean density and
   /// energy over the cell (where the solution has material; of a cell that the body cuts, that of the whole cell), and

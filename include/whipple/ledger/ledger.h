@@ -18,7 +18,7 @@ namespace whipple
   {
   public:
     /// Axis along which momentum is conserved in both symmetries.
-    static constexpr int axial = 1;
+    static constexpr int axial = flight_axis<dim>;
 
     /// |present - books| relative to the scale of the quantity, or itself.
     struct Closure
@@ -57,16 +57,6 @@ namespace whipple
     enter(const Bookings<dim> &bookings);
     void
     enter(const std::string &cause, const Booking<dim> &booking);
-
-    /// Crossed a side of the domain (or, for work and impulse of the sides, was spent on it).
-    void
-    leave(const std::string &cause, const ConservedTotals<dim> &amounts);
-
-    void
-    drop(const std::string &cause, const ConservedTotals<dim> &amounts);
-
-    void
-    convert(const std::string &cause, double energy);
 
     /// Count what the scheme had to do, all ranks together. Nothing is entered if it never happened.
     void

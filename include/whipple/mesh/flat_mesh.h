@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/index.h>
 
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,56 @@ namespace whipple
     size() const
     {
       return static_cast<Index>(side.size());
+    }
+  };
+
+  /// The nodes that a hanging node hangs on, each with the same weight. Its position, velocity and all else that is
+  /// linear is their mean; its mass, momentum and the forces on it are shared out among them.
+  template <int dim>
+  struct Masters;
+
+  /// The two ends of the coarse edge that the node is the middle of.
+  template <>
+  struct Masters<2>
+  {
+    std::array<Index, 2> node;
+
+    static constexpr double weight = 0.5; ///< of each
+
+    const Index *
+    begin() const
+    {
+      return node.data();
+    }
+    const Index *
+    end() const
+    {
+      return node.data() + node.size();
+    }
+    Index
+    operator[](std::size_t i) const
+    {
+      return node[i];
+    }
+
+    /// The ends, for what holds on an edge only: differences along it.
+    const std::array<Index, 2> &
+    ends() const
+    {
+      return node;
+    }
+
+    /// Mean of value(node).
+    template <std::invocable<Index> Value>
+    double
+    mean(Value value) const
+    {
+      return 0.5 * (value(node[0]) + value(node[1]));
+    }
+    double
+    mean(const std::vector<double> &nodal) const
+    {
+      return 0.5 * (nodal[node[0]] + nodal[node[1]]);
     }
   };
 
@@ -80,10 +131,27 @@ namespace whipple
     std::array<std::vector<double>, dim> node_point;
     std::vector<std::uint8_t>            node_side;
 
-    /// Hanging nodes, ordered by position, and the two ends of the coarse edge each is the middle of.
-    /// Masters never hang themselves (the forest is balanced over corners).
-    std::vector<Index>                hanging;
-    std::vector<std::array<Index, 2>> master;
+    /// Hanging nodes, ordered by position, and what each hangs on. Masters never hang themselves (the forest is
+    /// balanced over corners).
+    std::vector<Index>        hanging;
+    std::vector<Masters<dim>> master;
+
+    /// Give every hanging node the mean of its masters.
+    void
+    hang(std::vector<double> &nodal) const
+    {
+      for (std::size_t h = 0; h < hanging.size(); ++h)
+        nodal[hanging[h]] = master[h].mean(nodal);
+    }
+
+    /// Share out what hanging nodes hold among their masters; it stays with the hanging nodes too.
+    void
+    share_out(std::vector<double> &nodal) const
+    {
+      for (std::size_t h = 0; h < hanging.size(); ++h)
+        for (const Index m : master[h])
+          nodal[m] += Masters<dim>::weight * nodal[hanging[h]];
+    }
 
     std::array<FlatFaces<dim>, dim> faces;
 

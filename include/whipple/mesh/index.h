@@ -16,6 +16,11 @@ namespace whipple
   template <int dim>
   using Vector = std::array<double, dim>;
 
+  /// The axis along which things fly: plates are normal to it, debris flies towards larger values on it, and where
+  /// there is an axis of symmetry this is it.
+  template <int dim>
+  inline constexpr int flight_axis = dim - 1;
+
   /// What the plane of computation stands for.
   enum class Symmetry
   {

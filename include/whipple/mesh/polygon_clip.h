@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/mesh/geometry.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/mesh/index.h>
 
 #include <array>
@@ -71,7 +71,7 @@ namespace whipple::projection
     bool                    folded = false;
   };
   Bisection
-  bisect(const geometry::Quad &x, const geometry::Quad &u);
+  bisect(const CornerVectors<2> &x, const CornerVectors<2> &u);
 
   /// The triangle shrunk about the centroid of its area: x <- c x + (1 - c) centroid (equation (10) of 1993).
   /// By Pappus its volume of revolution shrinks by c^2 exactly.

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <whipple/problem/problem.h>
+#include <whipple/registry.h>
 #include <whipple/scene/section.h>
 
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -27,38 +27,13 @@ namespace whipple
     std::function<std::shared_ptr<const SectionContent>(SceneParameters &parameters, const Problem<dim> &problem)> read;
   };
 
-  /// All extra sections, by name ("Gauges"). Filled before main() by ExtraSectionRegistration; never changed
-  /// afterwards.
+  /// All extra sections, by name ("Gauges").
   template <int dim>
-  class ExtraSectionRegistry
+  class ExtraSectionRegistry : public Registry<ExtraSectionRegistry<dim>, ExtraSection<dim>>
   {
-  public:
-    static const std::map<std::string, ExtraSection<dim>> &
-    all()
-    {
-      return entries();
-    }
-
-  private:
-    template <int>
-    friend class ExtraSectionRegistration;
-
-    static std::map<std::string, ExtraSection<dim>> &
-    entries()
-    {
-      static std::map<std::string, ExtraSection<dim>> registry;
-      return registry;
-    }
   };
 
   /// Makes a section known: one line at the end of its file.
   template <int dim>
-  class ExtraSectionRegistration
-  {
-  public:
-    ExtraSectionRegistration(const std::string &name, ExtraSection<dim> section)
-    {
-      ExtraSectionRegistry<dim>::entries().emplace(name, std::move(section));
-    }
-  };
+  using ExtraSectionRegistration = typename ExtraSectionRegistry<dim>::Registered;
 } // namespace whipple

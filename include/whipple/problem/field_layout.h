@@ -15,7 +15,6 @@ namespace whipple
   struct FieldLayout
   {
     std::vector<FieldDescription> fields;
-    FieldIndex                    index;
     std::vector<Material>         materials; ///< models by material slot
     std::vector<std::string>      material_names;
     std::vector<Index>            body_material; ///< material slot of each body of the scene

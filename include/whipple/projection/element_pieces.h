@@ -43,14 +43,14 @@ namespace whipple::projection
   /// An element's corners, and what they amount to.
   struct ElementCorners
   {
-    geometry::Quad x{}, u{};             ///< r >= 0: what has crossed the axis is on its other side, the same ring
-    int            mirrored_corners = 0; ///< those that had crossed it
-    Motion         motion;               ///< of the corner masses; kinetic: about their mean, and what they do not show
+    CornerVectors<2> x{}, u{};             ///< r >= 0: what has crossed the axis is on its other side, the same ring
+    int              mirrored_corners = 0; ///< those that had crossed it
+    Motion           motion; ///< of the corner masses; kinetic: about their mean, and what they do not show
   };
   ElementCorners
   corners_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Element<2> &element);
 
   /// Corner positions with r >= 0: material that has crossed the axis is on its other side, the same ring.
-  geometry::Quad
-  mirrored(Symmetry symmetry, geometry::Quad x);
+  CornerVectors<2>
+  mirrored(Symmetry symmetry, CornerVectors<2> x);
 } // namespace whipple::projection

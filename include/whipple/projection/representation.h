@@ -4,10 +4,11 @@
 #include <whipple/mesh/flat_builder.h>
 #include <whipple/projection/element.h>
 #include <whipple/projection/element_pieces.h>
+#include <whipple/registry.h>
+#include <whipple/section_entry.h>
 #include <whipple/state/bookings.h>
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,38 +53,18 @@ namespace whipple
     }
   };
 
-  /// An entry of a stage's section that a representation has.
-  struct RepresentationEntry
+  /// A representation as scenes and messages know it.
+  struct RepresentationKind
   {
-    std::string key, default_value, documentation;
+    std::string                                                                summary; ///< one line
+    std::vector<SectionEntry>                                                  entries; ///< of the stage's section
+    std::function<std::shared_ptr<const Representation>(const SectionInput &)> read;
   };
 
-  /// What the scene says in these entries. Throws InputError that names file, key, value and what is allowed.
-  struct RepresentationInput
-  {
-    std::function<std::string(const std::string &key)> text;
-    /// A positive length, cm.
-    std::function<double(const std::string &key)> length;
-  };
-
-  /// All representations there are.
-  class RepresentationRegistry
+  /// All representations there are, by name.
+  class RepresentationRegistry : public Registry<RepresentationRegistry, RepresentationKind>
   {
   public:
-    struct Entry
-    {
-      std::string                                                                         summary; ///< one line
-      std::vector<RepresentationEntry>                                                    entries;
-      std::function<std::shared_ptr<const Representation>(const RepresentationInput &in)> read;
-    };
-
-    /// By name, in alphabetical order.
-    static const std::map<std::string, Entry> &
-    all()
-    {
-      return entries();
-    }
-
     /// One that needs no entries, or takes their defaults.
     /// @throws std::out_of_range if there is none of this name
     static std::shared_ptr<const Representation>
@@ -92,25 +73,8 @@ namespace whipple
     /// "distended (whole elements) | ..."
     static std::string
     usage();
-
-  private:
-    friend class RepresentationRegistration;
-
-    static std::map<std::string, Entry> &
-    entries()
-    {
-      static std::map<std::string, Entry> registry;
-      return registry;
-    }
   };
 
   /// Makes a representation known: one line at the end of its file.
-  class RepresentationRegistration
-  {
-  public:
-    RepresentationRegistration(const std::string &name, RepresentationRegistry::Entry entry)
-    {
-      RepresentationRegistry::entries().emplace(name, std::move(entry));
-    }
-  };
+  using RepresentationRegistration = RepresentationRegistry::Registered;
 } // namespace whipple

@@ -3,6 +3,8 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/registry.h>
+#include <whipple/section_entry.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -11,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -53,58 +54,21 @@ namespace whipple
     }
   };
 
-  /// An entry of the section "Mesh" that a criterion has.
-  struct CriterionEntry
+  /// A criterion as scenes know it.
+  struct RefinementCriterionKind
   {
-    std::string key, default_value, documentation;
+    std::vector<SectionEntry> entries; ///< of the section "Mesh"
+    /// @returns null if it is off
+    std::function<std::shared_ptr<const RefinementCriterion>(const SectionInput &input)> read;
   };
 
-  /// What the scene says in these entries. All throw InputError that names file, key, value and what is allowed.
-  struct CriterionInput
+  /// All criteria there are, by name.
+  class RefinementCriteria : public Registry<RefinementCriteria, RefinementCriterionKind>
   {
-    std::function<std::string(const std::string &key)>                        text;
-    std::function<int(const std::string &key, int lower, int upper)>          integer;
-    std::function<double(const std::string &key, double lower, double upper)> number;
-  };
-
-  /// All criteria there are.
-  class RefinementCriteria
-  {
-  public:
-    struct Entry
-    {
-      std::vector<CriterionEntry> entries;
-      /// @returns null if it is off
-      std::function<std::shared_ptr<const RefinementCriterion>(const CriterionInput &input)> read;
-    };
-
-    /// By name, in alphabetical order.
-    static const std::map<std::string, Entry> &
-    all()
-    {
-      return entries();
-    }
-
-  private:
-    friend class RefinementCriterionRegistration;
-
-    static std::map<std::string, Entry> &
-    entries()
-    {
-      static std::map<std::string, Entry> registry;
-      return registry;
-    }
   };
 
   /// Makes a criterion known: one line at the end of its file.
-  class RefinementCriterionRegistration
-  {
-  public:
-    RefinementCriterionRegistration(const std::string &name, RefinementCriteria::Entry entry)
-    {
-      RefinementCriteria::entries().emplace(name, std::move(entry));
-    }
-  };
+  using RefinementCriterionRegistration = RefinementCriteria::Registered;
 
   /// Levels that a cell may give up if its state changes by `change` over it: as many as leave the change over the
   /// larger cell at most `allowed`.

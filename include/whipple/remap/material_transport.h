@@ -9,6 +9,7 @@
 #include <whipple/remap/volume_flux.h>
 #include <whipple/state/fields.h>
 
+#include <span>
 #include <vector>
 
 namespace whipple
@@ -23,10 +24,11 @@ namespace whipple
     MaterialTransport(const FlatMesh<dim> &mesh, const Boundaries<dim> &boundaries, const RemapParameters &parameters);
 
     /// Move material m through the faces of one axis; adds its mass fluxes (along + axis) to `mass_flux`.
-    /// @param odd_field place in MaterialState::fields of the one that a mirror turns round (the shear stress), or -1
+    /// @param odd_fields places in MaterialState::fields of those that a mirror across the axis of the sweep turns
+    /// round (FieldIndex::odd_at); -1 stands for none
     void
     move(MaterialState &material, Index m, const VolumeFlux<dim> &volume_flux, const SweepTopology<dim> &topology,
-         int odd_field, std::vector<double> &mass_flux, RemapSums<dim> &report);
+         std::span<const int> odd_fields, std::vector<double> &mass_flux, RemapSums<dim> &report);
 
   private:
     /// A face that material passes, its donor, and the cells upstream and downstream of the donor that the slope

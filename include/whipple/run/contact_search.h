@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/mesh/flat_mesh.h>
-#include <whipple/mesh/geometry.h>
 #include <whipple/mesh/index.h>
 
 #include <mpi.h>
@@ -17,15 +17,15 @@ namespace whipple::contact
   /// An element as the search sees it; travels between ranks as it is.
   struct Piece
   {
-    CellKey        key = 0;
-    geometry::Quad x{};          ///< corners, cm
-    Vector<2>      middle{};     ///< mean of the corners, cm
-    double         size  = 0;    ///< square root of its area, cm
-    double         solid = 0;    ///< sum of (1 - phi) V_m over the volume of the element
-    double         mass  = 0;    ///< g
-    Vector<2>      velocity{};   ///< of its centre of mass, cm/us
-    double         relative = 0; ///< kinetic energy about it, Mbar cm^3
-    std::uint64_t  held     = 0; ///< bit d: may not move along axis d
+    CellKey          key = 0;
+    CornerVectors<2> x{};          ///< corners, cm
+    Vector<2>        middle{};     ///< mean of the corners, cm
+    double           size  = 0;    ///< square root of its area, cm
+    double           solid = 0;    ///< sum of (1 - phi) V_m over the volume of the element
+    double           mass  = 0;    ///< g
+    Vector<2>        velocity{};   ///< of its centre of mass, cm/us
+    double           relative = 0; ///< kinetic energy about it, Mbar cm^3
+    std::uint64_t    held     = 0; ///< bit d: may not move along axis d
   };
 
   /// Two elements that lie in one another.
@@ -52,5 +52,5 @@ namespace whipple::contact
 
   /// Whether a point lies in a quadrilateral (lexicographic corners), folded ones by the parity of crossings.
   bool
-  is_inside(const geometry::Quad &x, const Vector<2> &point);
+  is_inside(const CornerVectors<2> &x, const Vector<2> &point);
 } // namespace whipple::contact

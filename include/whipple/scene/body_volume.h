@@ -12,7 +12,7 @@ namespace whipple
   /// Sphere in axisymmetry: pi * integral over z of (min(r_1, s(z))^2 - r_0^2), s^2 = R^2 - (z - z_c)^2, a cubic
   /// between the z where s crosses r_0 and r_1. Circle in planar symmetry: area by circular segments. Polygons: their
   /// triangles cut by the cell, and int r dA of what is left (Pappus).
-  /// A cell wholly inside a shape gives geometry::volume of the cell, bit for bit.
+  /// A cell wholly inside a shape gives Element::volume of the cell, bit for bit.
   /// @pre lower <= upper; in axisymmetry lower[0] >= 0 and the sphere's center is on the axis.
   template <int dim>
   double

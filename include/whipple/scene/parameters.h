@@ -3,11 +3,15 @@
 
 #include <whipple/scene/prm_statements.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
+
+namespace dealii
+{
+  class ParameterHandler; // its header is long, and all rooms that read scenes would include it
+}
 
 namespace whipple
 {
@@ -19,6 +23,7 @@ namespace whipple
   public:
     /// @param file the .prm, for messages about entries that it does not set
     explicit SceneParameters(std::string file);
+    ~SceneParameters();
 
     /// Declare an entry. An empty default means "not given".
     void
@@ -63,8 +68,8 @@ namespace whipple
     void
     leave(const std::string &section);
 
-    std::string              file_;
-    dealii::ParameterHandler handler_;
-    std::vector<Entry>       entries_;
+    std::string                               file_;
+    std::unique_ptr<dealii::ParameterHandler> handler_;
+    std::vector<Entry>                        entries_;
   };
 } // namespace whipple

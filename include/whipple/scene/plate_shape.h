@@ -7,7 +7,7 @@
 
 namespace whipple
 {
-  /// A flat plate normal to axis 1, around axis 0 = 0.
+  /// A flat plate normal to the line of flight, around axis 0 = 0.
   template <int dim>
   class Plate : public ShapeGeometry<dim>
   {
@@ -32,7 +32,7 @@ namespace whipple
     Shape<dim>
     turned(const Turn<dim> &turn, const Box<dim> &domain) const override;
 
-    double front;      ///< lower face along axis 1, cm
+    double front;      ///< lower face along the line of flight, cm
     double thickness;  ///< cm
     double half_width; ///< |x| or r below it, cm
   };

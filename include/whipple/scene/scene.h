@@ -85,7 +85,7 @@ namespace whipple
   struct DebrisEntry
   {
     double                     void_cutoff            = 0.99; ///< cells with more void than this are dropped
-    double                     minimum_axial_velocity = 0;    ///< cm/us, along axis 1
+    double                     minimum_axial_velocity = 0;    ///< cm/us, along the line of flight
     std::optional<std::size_t> behind; ///< only cells beyond the rear face of this body (as it entered the scene)
   };
 

@@ -4,6 +4,7 @@
 #include <whipple/mesh/index.h>
 #include <whipple/scene/parameters.h>
 #include <whipple/scene/units.h>
+#include <whipple/section_entry.h>
 
 #include <optional>
 #include <string>
@@ -55,6 +56,10 @@ namespace whipple
 
     int
     integer(const std::string &key, int lower, int upper) const;
+
+    /// The same for those who know nothing of scenes. Valid as long as the section is.
+    SectionInput
+    input() const;
 
     template <int dim>
     Vector<dim>

@@ -66,8 +66,8 @@ namespace whipple
   public:
     virtual ~ShapeGeometry() = default;
 
-    /// Smallest axis-aligned box around it; infinite where the shape reaches over the whole domain. lower[1] is the
-    /// front face of a wall, upper[1] its rear face (debris flies towards larger axis 1). cm
+    /// Smallest axis-aligned box around it; infinite where the shape reaches over the whole domain. Along flight_axis
+    /// its lower end is the front face of a wall, its upper end the rear face. cm
     virtual Box<dim>
     extent() const = 0;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/registry.h>
 #include <whipple/scene/shape.h>
 
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,51 +73,33 @@ namespace whipple
     }
   };
 
-  /// All kinds of shapes, by name. Filled before main() by the one line
-  ///
-  ///     const ShapeRegistration<2> registration(description, [](const ShapeInput<2> &input) -> Shape<2> { ... });
-  ///
-  /// at the end of each kind's own file; never changed afterwards.
+  /// A kind of shape as scenes know it.
   template <int dim>
-  class ShapeRegistry
+  struct ShapeKind
   {
-  public:
-    using Make = std::function<Shape<dim>(const ShapeInput<dim> &)>;
-    struct Entry
-    {
-      ShapeDescription description;
-      Make             make;
-    };
-
-    /// In alphabetical order.
-    static const std::map<std::string, Entry> &
-    all()
-    {
-      return entries();
-    }
-
-  private:
-    template <int>
-    friend class ShapeRegistration;
-
-    static std::map<std::string, Entry> &
-    entries()
-    {
-      static std::map<std::string, Entry> registry;
-      return registry;
-    }
+    ShapeDescription                                   description;
+    std::function<Shape<dim>(const ShapeInput<dim> &)> make;
   };
 
-  /// Makes a kind of shape known under its name.
+  /// All kinds of shapes, by name.
+  template <int dim>
+  class ShapeRegistry : public Registry<ShapeRegistry<dim>, ShapeKind<dim>>
+  {
+  };
+
+  /// Makes a kind of shape known under its name:
+  ///
+  ///     const ShapeRegistration<2> registration(description, [](const ShapeInput<2> &input) -> Shape<2> { ... });
   template <int dim>
   class ShapeRegistration
   {
   public:
-    ShapeRegistration(ShapeDescription description, typename ShapeRegistry<dim>::Make make)
+    ShapeRegistration(const ShapeDescription &description, std::function<Shape<dim>(const ShapeInput<dim> &)> make)
+      : registered_(description.name, {description, std::move(make)})
     {
-      const std::string name = description.name;
-      ShapeRegistry<dim>::entries().emplace(
-          name, typename ShapeRegistry<dim>::Entry{std::move(description), std::move(make)});
     }
+
+  private:
+    typename ShapeRegistry<dim>::Registered registered_;
   };
 } // namespace whipple

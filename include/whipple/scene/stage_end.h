@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/registry.h>
 #include <whipple/scene/units.h>
 
 #include <functional>
@@ -18,7 +19,7 @@ namespace whipple
   {
     double start   = 0; ///< us
     double front   = 0; ///< foremost point of the fastest body at the start of the run, cm
-    double fastest = 0; ///< velocity of that body along axis 1, cm/us
+    double fastest = 0; ///< velocity of that body along the line of flight, cm/us
   };
 
   /// What a stage end may ask of a running stage. Every question is collective.
@@ -33,18 +34,18 @@ namespace whipple
     start() const = 0; ///< of the stage, us
     virtual double
     finest_cell() const = 0; ///< cm
-    /// Foremost corner of material along axis 1, cm.
+    /// Foremost corner of material along the line of flight, cm.
     virtual double
     foremost() const = 0;
-    /// Largest velocity of a node along axis 1, cm/us.
+    /// Largest velocity of a node along the line of flight, cm/us.
     virtual double
     fastest() const = 0;
     struct Debris
     {
       double mass     = 0; ///< g
-      double momentum = 0; ///< along axis 1, g cm/us
+      double momentum = 0; ///< along the line of flight, g cm/us
     };
-    /// Material beyond a plane across axis 1 [cm] that is faster along it than `velocity` [cm/us].
+    /// Material beyond a plane across the line of flight [cm] that is faster along it than `velocity` [cm/us].
     virtual Debris
     beyond(double plane, double velocity) const = 0;
     /// What there is to watch, by name: kinetic energy of each body, hole and crater of each plate ... (cm, g, us,
@@ -103,7 +104,7 @@ namespace whipple
   {
     std::string              rest;              ///< the text after the phrase
     std::vector<std::string> bodies;            ///< names
-    std::vector<double>      fronts;            ///< lower face of each along axis 1, cm
+    std::vector<double>      fronts;            ///< lower face of each along the line of flight, cm
     std::vector<double>      rears;             ///< upper face, cm
     double                   largest_speed = 0; ///< of the bodies, cm/us
 
@@ -115,25 +116,18 @@ namespace whipple
     std::function<void(const std::string &allowed)> reject;
   };
 
-  /// All stage ends there are.
-  class StageEndRegistry
+  /// A stage end as scenes know it.
+  struct StageEndKind
+  {
+    std::string                                                           usage; ///< "for TIME"
+    std::string                                                           help;  ///< one line
+    std::function<std::shared_ptr<const StageEnd>(const StageEndInput &)> make;
+  };
+
+  /// All stage ends there are, by the phrase they begin with; the empty one is taken for what no other fits.
+  class StageEndRegistry : public Registry<StageEndRegistry, StageEndKind>
   {
   public:
-    using Make = std::function<std::shared_ptr<const StageEnd>(const StageEndInput &)>;
-    struct Entry
-    {
-      std::string usage; ///< "for TIME"
-      std::string help;  ///< one line
-      Make        make;
-    };
-
-    /// By the phrase they begin with; the empty one is taken for what no other fits.
-    static const std::map<std::string, Entry> &
-    all()
-    {
-      return entries();
-    }
-
     /// Understand what a scene says. @param input with the whole text as its rest
     /// @throws InputError
     static std::shared_ptr<const StageEnd>
@@ -142,25 +136,8 @@ namespace whipple
     /// "a time such as '1.5 us' | 'for TIME' | ..."
     static std::string
     usage();
-
-  private:
-    friend class StageEndRegistration;
-
-    static std::map<std::string, Entry> &
-    entries()
-    {
-      static std::map<std::string, Entry> registry;
-      return registry;
-    }
   };
 
   /// Makes a stage end known: one line at the end of its file.
-  class StageEndRegistration
-  {
-  public:
-    StageEndRegistration(const std::string &phrase, StageEndRegistry::Entry entry)
-    {
-      StageEndRegistry::entries().emplace(phrase, std::move(entry));
-    }
-  };
+  using StageEndRegistration = StageEndRegistry::Registered;
 } // namespace whipple

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <map>
+#include <whipple/registry.h>
+
 #include <string>
 #include <utility>
 
@@ -10,48 +11,22 @@
 /// happened.
 namespace whipple
 {
-  /// Filled before main() by the one line
-  ///
-  ///     const ConversionRegistration registration(40, "remap", ConversionRegistry::Listed::each_step);
-  ///
-  /// in the file that books it; never changed afterwards.
-  class ConversionRegistry
+  /// Where they are listed.
+  enum class ConversionListed
   {
-  public:
-    enum class Listed
-    {
-      each_step, ///< a column of statistics.csv, and a number of summary.json
-      at_end     ///< a number of summary.json
-    };
-
-    /// Place in the order, then the cause as it is booked.
-    using Key = std::pair<int, std::string>;
-
-    static const std::map<Key, Listed> &
-    all()
-    {
-      return entries();
-    }
-
-  private:
-    friend class ConversionRegistration;
-
-    static std::map<Key, Listed> &
-    entries()
-    {
-      static std::map<Key, Listed> map;
-      return map;
-    }
+    each_step, ///< a column of statistics.csv, and a number of summary.json
+    at_end     ///< a number of summary.json
   };
 
-  class ConversionRegistration
+  /// By place in the order, then the cause as it is booked.
+  class ConversionRegistry : public Registry<ConversionRegistry, ConversionListed, std::pair<int, std::string>>
   {
-  public:
-    ConversionRegistration(int place, const std::string &cause, ConversionRegistry::Listed listed)
-    {
-      ConversionRegistry::entries()[{place, cause}] = listed;
-    }
   };
+
+  /// One line in the file that books it:
+  ///
+  ///     const ConversionRegistration registration({40, "remap"}, ConversionListed::each_step);
+  using ConversionRegistration = ConversionRegistry::Registered;
 
   /// What energy converted by a cause is called: "viscous work", "conducted heat", "remap loss".
   inline std::string

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/index.h>
+#include <whipple/state/deviator_storage.h>
 
 #include <string>
 #include <vector>
@@ -53,15 +54,40 @@ namespace whipple
   };
 
   /// Indices into MaterialState::fields of the fields that hydro itself reads; -1 where not registered.
-  /// Deviatoric stress is that of the solid, three components: 00, 11, 01 (rr, zz, rz); the out-of-plane
-  /// (hoop) one is -(s00 + s11).
+  template <int dim>
   struct FieldIndex
   {
-    int stress_00      = -1;
-    int stress_11      = -1;
-    int stress_01      = -1;
-    int plastic_strain = -1;
-    int damage         = -1;
+    std::array<int, DeviatorStorage<dim>::size> stress         = not_registered(); ///< deviator of the solid's stress
+    int                                         plastic_strain = -1;
+    int                                         damage         = -1;
+
+    bool
+    has_stress() const
+    {
+      for (const int field : stress)
+        if (field < 0)
+          return false;
+      return true;
+    }
+
+    /// The fields of stress that change sign in the mirror image at a plane normal to an axis.
+    auto
+    odd_at(int axis) const
+    {
+      auto fields = DeviatorStorage<dim>::odd_at(axis);
+      for (int &component : fields)
+        component = stress[component];
+      return fields;
+    }
+
+  private:
+    static constexpr std::array<int, DeviatorStorage<dim>::size>
+    not_registered()
+    {
+      std::array<int, DeviatorStorage<dim>::size> fields{};
+      fields.fill(-1);
+      return fields;
+    }
   };
 
   /// The whole moving state of one rank on a FlatMesh. What can be computed from it is Derived. Node masses are not:
@@ -86,7 +112,7 @@ namespace whipple
     std::vector<double> corner_weight;
 
     std::vector<MaterialState> material;
-    FieldIndex                 index;
+    FieldIndex<dim>            index;
 
     Index
     n_cells() const
