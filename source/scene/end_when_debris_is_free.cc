@@ -14,9 +14,9 @@ namespace whipple
     /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
     /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free once half of the
     /// momentum of what is that fast is beyond the plate, and grows there by less than `share` between looks two apart
-    /// (in the last sixth of the time), twice in a row; at the latest at `longest` times the time of that half. The
-    /// memory holds the time of the next look, how often it was quiet, the momenta of the last two looks, and the time
-    /// of the half (0: not yet).
+    /// (in the last sixth of the time), twice in a row, and next to nothing is still coming; at the latest at
+    /// `longest` times the time of that half. The memory holds the time of the next look, how often it was quiet, the
+    /// momenta of the last two looks, and the time of the half (0: not yet).
     class EndWhenDebrisIsFree : public StageEnd
     {
     public:
@@ -71,7 +71,8 @@ namespace whipple
         const bool through = memory[4] > 0;
         const bool quiet   = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
         memory             = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
-        if (memory[1] >= 2. || (through && past >= longest * memory[4]))
+        const bool come    = stage.coming(velocity_) <= share_still_coming * all;
+        if ((come && memory[1] >= 2.) || (through && past >= longest * memory[4]))
           return {0., stage.time()};
         return {memory[0] - past, stage.time() + memory[0] - past};
       }

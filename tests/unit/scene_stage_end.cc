@@ -16,6 +16,7 @@ namespace
   {
   public:
     double now = 0, begin = 0, tau = 1;
+    double all_is_there = 0; ///< us; until then a twentieth of the momentum waits outside the mesh
 
     double
     time() const override
@@ -47,6 +48,11 @@ namespace
     {
       // beyond the plate nothing for 0.1 us, then momentum that tends to 1; 1 in all
       return {1., plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau)};
+    }
+    double
+    coming(double) const override
+    {
+      return now < all_is_there ? 0.05 : 0.;
     }
     std::map<std::string, double>
     watched() const override
@@ -151,6 +157,7 @@ namespace
       }
   }
 
+<<<<<<< HEAD
   /// A stage in which everything has come to rest before the plate.
   struct StageAtRest : FakeStage
   {
@@ -175,6 +182,24 @@ namespace
     EXPECT_FALSE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
     stage.speed = 0.;
     EXPECT_TRUE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
+=======
+  /// A stage does not end while more than 1 % of the momentum is on its way to it; once all is there it ends within the
+  /// next looks.
+  TEST(StageEnd, WaitsForDebrisThatWillArrive)
+  {
+    FakeStage stage;
+    stage.all_is_there = 40.;
+    EXPECT_NEAR(run(*read("until settled within 1 % for 2 us"), stage, 0.05), 40., 0.2 + 1e-9);
+    stage.all_is_there = 5.5;
+    const double end   = run(*read("until debris is free of wall"), stage, 0.02);
+    EXPECT_GE(end, 5.5);
+    EXPECT_LE(end, 5.5 * 1.1);
+    // at eight times the time of the half (ln 2 + 0.1) it ends whatever is on its way
+    stage.all_is_there = 1000.;
+    const double last  = run(*read("until debris is free of wall"), stage, 0.02);
+    EXPECT_GE(last, 8. * 0.79);
+    EXPECT_LE(last, 8. * 0.79 * 1.21);
+>>>>>>> 91baf69 (Streaming hand-over: debris that flies freely waits outside the mesh until it arrives)
   }
 
   /// The crater grows as 0.2 (1 - exp(-t)) cm. Looks are a factor 1.1 apart, five of them must agree within half a
