@@ -24,12 +24,14 @@ namespace whipple
       return result;
     }
 
-    /// What the section of a ring shrinks by as it grows.
+    /// What the section of a ring shrinks by as it grows; 1 for one that has come to the axis, which is no ring.
     double
     shrinking(Symmetry symmetry, const Waiting<2> &part, double radial_way)
     {
       const double r = part.centre[0];
-      return symmetry == Symmetry::axisymmetric && radial_way != 0 && r > 0 ? std::sqrt(r / (r + radial_way)) : 1.;
+      return symmetry == Symmetry::axisymmetric && radial_way != 0 && r > 0 && r + radial_way > 0 ?
+                 std::sqrt(r / (r + radial_way)) :
+                 1.;
     }
 
     double

@@ -182,18 +182,23 @@ namespace whipple
     class Look
     {
     public:
-      Look(const Scene<2> &scene, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting, double time)
+      /// @param ahead us, how far it looks ahead of each part
+      Look(const Scene<2> &scene, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting, double time,
+           std::vector<double> ahead)
         : scene_(scene)
         , layout_(layout)
         , waiting_(waiting)
         , time_(time)
-        , ahead_(looks_ahead * time_between_looks(scene, waiting))
+        , ahead_(std::move(ahead))
+        , farthest_(*std::max_element(ahead_.begin(), ahead_.end()))
         , arrives_(waiting.parts.size(), 0)
       {
-        for (const Waiting<2> &part : waiting.parts)
+        for (std::size_t i = 0; i < ahead_.size(); ++i)
           {
-            box_.push_back(box_of(at(part, time), at(part, time + ahead_), corner_velocities_of(layout, part), ahead_));
-            swept_.push_back(box_.back().swept(ahead_, 0.));
+            const Waiting<2> &part = waiting.parts[i];
+            box_.push_back(
+                box_of(at(part, time), at(part, time + ahead_[i]), corner_velocities_of(layout, part), ahead_[i]));
+            swept_.push_back(box_.back().swept(ahead_[i], 0.));
           }
       }
 
@@ -219,16 +224,15 @@ namespace whipple
               }
             if (scene_.lattice.symmetry == Symmetry::axisymmetric)
               ends = ends || later.lower[0] < -round_off * scene_.lattice.spacing;
-            arrives_[i] = ends || !flies_on(waiting_.parts[i]);
+            arrives_[i] = ends || !flies_on(waiting_.parts[i], ahead_[i]);
           }
       }
 
-      /// Those that meet what this rank's cells hold.
+      /// Those that come within `margin` of what this rank's cells hold.
       void
-      with_cells(const FlatMesh<2> &mesh, const State<2> &state)
+      with_cells(const FlatMesh<2> &mesh, const State<2> &state, double margin)
       {
-        const double margin = reach * scene_.lattice.spacing;
-        Bins         bins(swept_, margin);
+        Bins bins(swept_, margin);
         for (Index c = 0; c < mesh.n_owned; ++c)
           {
             double solid = 0;
@@ -245,8 +249,8 @@ namespace whipple
                   cell.velocity[d] += state.corner_weight[4 * c + k] * state.velocity[d][mesh.cell_node[4 * c + k]];
               }
             cell.slowest = cell.fastest = cell.velocity;
-            bins.for_each_near(cell.swept(ahead_, margin), [&](Index i) {
-              if (!arrives_[i] && approach(box_[i], cell) && touch(box_[i], cell, margin, ahead_))
+            bins.for_each_near(cell.swept(farthest_, margin), [&](Index i) {
+              if (!arrives_[i] && approach(box_[i], cell) && touch(box_[i], cell, margin, ahead_[i]))
                 arrives_[i] = 1;
             });
           }
@@ -260,7 +264,7 @@ namespace whipple
         for (std::size_t i = rank; i < box_.size(); i += ranks)
           bins.for_each_near(swept_[i], [&](Index j) {
             if (j > static_cast<Index>(i) && !(arrives_[i] && arrives_[j]) && !one_piece(i, j) &&
-                approach(box_[i], box_[j]) && touch(box_[i], box_[j], 0., ahead_))
+                approach(box_[i], box_[j]) && touch(box_[i], box_[j], 0., std::min(ahead_[i], ahead_[j])))
               arrives_[i] = arrives_[j] = 1;
           });
       }
@@ -301,13 +305,13 @@ namespace whipple
 
       /// Whether an element for itself neither folds nor closes its voids.
       bool
-      flies_on(const Waiting<2> &part) const
+      flies_on(const Waiting<2> &part, double ahead) const
       {
         if (part.element.piece >= 0)
           return true;
         const geometry::Quad x = at(part, time_), u = corner_velocities_of(layout_, part);
-        const double         least = least_volume(scene_.lattice.symmetry, x, u, ahead_);
-        if (!(least > 0) || !keeps_shape(x, u, ahead_))
+        const double         least = least_volume(scene_.lattice.symmetry, x, u, ahead);
+        if (!(least > 0) || !keeps_shape(x, u, ahead))
           return false;
         const double growth = least / geometry::volume(scene_.lattice.symmetry, part.element.position);
         for (int m = 0; m < layout_.n_materials(); ++m)
@@ -320,7 +324,9 @@ namespace whipple
       const Scene<2>            &scene_;
       const CellPacketLayout<2> &layout_;
       const WaitingDebris<2>    &waiting_;
-      double                     time_, ahead_; ///< us
+      double                     time_;     ///< us
+      std::vector<double>        ahead_;    ///< us, of each part
+      double                     farthest_; ///< us, the longest
       std::vector<Box>           box_, swept_;
       std::vector<std::uint8_t>  arrives_;
     };
@@ -343,11 +349,38 @@ namespace whipple
     int rank = 0, ranks = 1;
     MPI_Comm_rank(communicator, &rank);
     MPI_Comm_size(communicator, &ranks);
-    Look look(scene, layout, waiting, state.time);
+    Look look(scene, layout, waiting, state.time,
+              std::vector<double>(waiting.parts.size(), looks_ahead * time_between_looks(scene, waiting)));
     look.by_themselves(walls);
-    look.with_cells(mesh, state);
+    look.with_cells(mesh, state, reach * scene.lattice.spacing);
     look.among_themselves(rank, ranks);
     return look.found(communicator);
+  }
+
+  std::vector<std::uint8_t>
+  find_passing(const Scene<2> &scene, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting,
+               const FlatMesh<2> &mesh, const State<2> &state, double plane, MPI_Comm communicator)
+  {
+    if (waiting.parts.empty())
+      return {};
+    const double              cell = scene.lattice.spacing;
+    std::vector<double>       time; // until it is through
+    std::vector<std::uint8_t> moves;
+    for (const Waiting<2> &part : waiting.parts)
+      {
+        const geometry::Quad x       = corners_at(scene.lattice.symmetry, layout, part, state.time);
+        const geometry::Quad u       = corner_velocities_of(layout, part);
+        const double         rear    = *std::min_element(x[1].begin(), x[1].end());
+        const double         slowest = *std::min_element(u[1].begin(), u[1].end());
+        moves.push_back(slowest > 0);
+        time.push_back(slowest > 0 ? std::max(plane + cell - rear, cell) / slowest : cell / waiting.fastest);
+      }
+    Look look(scene, layout, waiting, state.time, std::move(time));
+    look.with_cells(mesh, state, cell);
+    std::vector<std::uint8_t> passes = look.found(communicator);
+    for (std::size_t i = 0; i < passes.size(); ++i)
+      passes[i] = moves[i] && !passes[i];
+    return passes;
   }
 
   double

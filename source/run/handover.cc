@@ -143,8 +143,8 @@ namespace whipple
     if (stage.mode() == StageMode::lagrangian)
       {
         const bool select = previous && previous->mode() == StageMode::eulerian;
-        take_up(stage, select, domain, ledger);
         judge_waiting(debris_criteria(*stage.lagrangian, select), domain, ledger, waiting);
+        take_up(stage, select, domain, ledger);
       }
   }
 

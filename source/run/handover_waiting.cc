@@ -147,24 +147,29 @@ namespace whipple
   {
     if (!waiting)
       return;
-    const auto     layout   = CellPacketLayout<dim>::of(domain.state);
-    const Symmetry symmetry = scene_.lattice.symmetry;
-    const double   time     = domain.state.time;
-    const auto     judge    = [&](const Waiting<dim> &part) {
+    const auto                      layout   = CellPacketLayout<dim>::of(domain.state);
+    const Symmetry                  symmetry = scene_.lattice.symmetry;
+    const double                    time     = domain.state.time;
+    const std::vector<std::uint8_t> passes   = criteria.plane
+                                                   ? find_passing(scene_, layout, *waiting, domain.view->mesh,
+                                                                  domain.state, *criteria.plane, domain.communicator())
+                                                   : std::vector<std::uint8_t>(waiting->parts.size(), 1);
+    const auto                      judge    = [&](const Waiting<dim> &part, bool through) {
       const geometry::Quad       x     = corners_at(symmetry, layout, part, time);
       const ConservedTotals<dim> holds = totals_of(layout, part.element);
-      if (criteria.plane && 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]) < *criteria.plane)
+      if (!through && 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]) < *criteria.plane)
         return Verdict::not_debris;
       if (criteria.least_velocity && holds.momentum[1] < *criteria.least_velocity * holds.mass)
         return Verdict::not_debris;
       return void_fraction_at(symmetry, layout, part, time) > criteria.void_cutoff ? Verdict::void_cutoff
-                                                                                          : Verdict::kept;
+                                                                                                           : Verdict::kept;
     };
     std::vector<Waiting<dim>>                    kept;
     std::map<Verdict, std::vector<Waiting<dim>>> dropped;
-    for (const Waiting<dim> &part : waiting->parts)
+    for (std::size_t i = 0; i < passes.size(); ++i)
       {
-        const Verdict verdict = judge(part);
+        const Waiting<dim> &part    = waiting->parts[i];
+        const Verdict       verdict = judge(part, passes[i]);
         (verdict == Verdict::kept ? kept : dropped[verdict]).push_back(part);
       }
     for (const auto &[verdict, parts] : dropped)

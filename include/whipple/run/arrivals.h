@@ -26,6 +26,12 @@ namespace whipple
   find_arrivals(const Scene<2> &scene, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting,
                 const RigidWalls<2> &walls, const FlatMesh<2> &mesh, const State<2> &state, MPI_Comm communicator);
 
+  /// Parts of `waiting` that fly on through the plane [cm] across axis 1 without meeting what the mesh holds, a flag
+  /// each. Collective, the same on all ranks.
+  std::vector<std::uint8_t>
+  find_passing(const Scene<2> &scene, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting,
+               const FlatMesh<2> &mesh, const State<2> &state, double plane, MPI_Comm communicator);
+
   /// Momentum along axis 1, g cm/us, of what waits, is faster along it than `velocity` and will come to the plane
   /// `face` [cm] across it, within the domain.
   double

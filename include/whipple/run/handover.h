@@ -54,7 +54,8 @@ namespace whipple
     SharedDebris<dim>
     waiting_of(const CellPacketLayout<dim> &layout, std::vector<Waiting<dim>> parts) const;
 
-    /// Drop what waits and is no debris for a stage, by the criteria for its cells.
+    /// Drop what waits and is no debris for a stage, by the criteria for its cells; what will fly through the plane of
+    /// the criteria without meeting what the domain still holds is beyond it.
     void
     judge_waiting(const DebrisCriteria &criteria, const Domain<dim> &domain, Ledger<dim> &ledger,
                   SharedDebris<dim> &waiting) const;
