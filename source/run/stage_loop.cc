@@ -384,7 +384,7 @@ namespace whipple
           stand();
       }
     close_record();
-    if (run_.books.waiting && run_.books.stage + 1 == scene_.stages.size())
+    if (run_.books.waiting && (left.chain_over || run_.books.stage + 1 == scene_.stages.size()))
       run_.books.ledger.note("parts of debris still on its way at the end",
                              static_cast<double>(run_.books.waiting->parts.size()), run_.books.waiting->totals.mass,
                              "g");

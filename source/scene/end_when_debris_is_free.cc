@@ -13,11 +13,11 @@ namespace whipple
     ///
     /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
     /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free once half of the
-    /// momentum of what is that fast is beyond the plate, and grows there by less than `share` between looks two apart
-    /// (in the last sixth of the time), twice in a row, and next to nothing is still coming; at the latest at
-    /// `longest` times the time of that half, or, while debris still comes, when the foremost has come to the next
-    /// body. The memory holds the time of the next look, how often it was quiet, the momenta of the last two looks, and
-    /// the time of the half (0: not yet).
+    /// momentum of what is that fast is beyond the plate, grows there by less than `share` between looks two apart (in
+    /// the last sixth of the time), twice in a row, and next to nothing is still coming. At the latest, once that half
+    /// is through, at `longest` times the time of it, or when the foremost has come to the next body. The memory holds
+    /// the time of the next look, how often it was quiet, the momenta of the last two looks, and the time of the half
+    /// (0: not yet).
     class EndWhenDebrisIsFree : public StageEnd
     {
     public:
@@ -73,12 +73,12 @@ namespace whipple
         const bool through  = memory[4] > 0;
         const bool quiet    = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
         memory              = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
-        const double coming = stage.coming(velocity_);
-        if ((coming <= share_still_coming * all && memory[1] >= 2.) || (through && past >= longest * memory[4]))
+        const bool come = stage.coming(velocity_) <= share_still_coming * all;
+        if ((come && memory[1] >= 2.) || (through && past >= longest * memory[4]))
           return {0., stage.time()};
-        if (coming > 0)
+        if (through && std::isfinite(next_front_))
           {
-            // what is through must not wait for what still comes until it is at the next body
+            // what is through must not fly on to where the next body has not entered yet
             const double gap = next_front_ - stage.foremost() - safe_cells * stage.finest_cell();
             if (gap <= 0)
               return {0., stage.time()};
