@@ -70,10 +70,10 @@ namespace whipple
                       " us nothing in the domain is faster than " + std::to_string(velocity_) + " cm/us"};
         if (memory[4] == 0 && momentum >= 0.5 * all)
           memory[4] = past;
-        const bool through  = memory[4] > 0;
-        const bool quiet    = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
-        memory              = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
-        const bool come = stage.coming(velocity_) <= share_still_coming * all;
+        const bool through = memory[4] > 0;
+        const bool quiet   = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
+        memory             = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
+        const bool come    = stage.coming(velocity_) <= share_still_coming * all;
         if ((come && memory[1] >= 2.) || (through && past >= longest * memory[4]))
           return {0., stage.time()};
         if (through && std::isfinite(next_front_))

@@ -74,6 +74,8 @@ namespace
     input.body  = [](const std::string &name) -> std::size_t {
       if (name == "wall")
         return 1;
+      if (name == "bumper")
+        return 0;
       throw InputError("unknown '" + name + "'");
     };
     input.reject = [](const std::string &allowed) { throw InputError(allowed); };
@@ -157,7 +159,6 @@ namespace
       }
   }
 
-<<<<<<< HEAD
   /// A stage in which everything has come to rest before the plate.
   struct StageAtRest : FakeStage
   {
@@ -182,7 +183,8 @@ namespace
     EXPECT_FALSE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
     stage.speed = 0.;
     EXPECT_TRUE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
-=======
+  }
+
   /// A stage does not end while more than 1 % of the momentum is on its way to it; once all is there it ends within the
   /// next looks.
   TEST(StageEnd, WaitsForDebrisThatWillArrive)
@@ -199,7 +201,6 @@ namespace
     const double last  = run(*read("until debris is free of wall"), stage, 0.02);
     EXPECT_GE(last, 8. * 0.79);
     EXPECT_LE(last, 8. * 0.79 * 1.21);
->>>>>>> 91baf69 (Streaming hand-over: debris that flies freely waits outside the mesh until it arrives)
   }
 
   /// The crater grows as 0.2 (1 - exp(-t)) cm. Looks are a factor 1.1 apart, five of them must agree within half a
@@ -221,6 +222,19 @@ namespace
         EXPECT_LE(end, 1.1 * low * (1. + 1e-6));
         EXPECT_NEAR(run(*read("until holes have settled within 3 us"), stage, step), 3., 1e-8);
       }
+  }
+
+  /// What is through does not fly on to the wall, which enters later: half of the momentum is through the bumper at
+  /// 0.1 + 4 ln 2 = 2.87 us, and the foremost, at 0.5 t, is eight cells before the wall's face (2 cm) at 3.84 us.
+  TEST(StageEnd, DebrisDoesNotFlyPastTheNextBody)
+  {
+    FakeStage stage;
+    stage.tau = 4.;
+    EXPECT_NEAR(run(*read("until debris is free of bumper"), stage, 0.005), 3.84, 0.03);
+    stage.tau        = 8.; // half is through at 5.65 us only: the next look after that
+    const double end = run(*read("until debris is free of bumper"), stage, 0.005);
+    EXPECT_GE(end, 5.64);
+    EXPECT_LE(end, 5.65 * 1.1);
   }
 
   TEST(StageEnd, WhatIsNotUnderstoodIsRefused)
