@@ -129,6 +129,7 @@ set(WHIPPLE_FLAT
     source/projection/spread_excess.cc
     source/projection/to_eulerian.cc
     source/projection/to_lagrangian.cc
+    source/projection/waiting_debris.cc
     source/refinement/gradient_criterion.cc
     source/refinement/smooth_criterion.cc
     source/refinement/smoothness.cc
@@ -212,6 +213,7 @@ set(WHIPPLE_DEALII
     source/output/summary.cc
     source/problem/field_layout.cc
     source/problem/level_need.cc
+    source/run/arrivals.cc
     source/run/bond_breaking.cc
     source/run/books_cbor.cc
     source/run/checkpoint.cc
@@ -224,6 +226,7 @@ set(WHIPPLE_DEALII
     source/run/domain.cc
     source/run/flight.cc
     source/run/handover.cc
+    source/run/handover_waiting.cc
     source/run/interruption.cc
     source/run/last_good.cc
     source/run/regridding.cc

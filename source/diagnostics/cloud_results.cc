@@ -91,7 +91,7 @@ namespace whipple
                 ? extent(view.scene.bodies[*stage.lagrangian->debris.behind].shape).upper[flight_axis<dim>]
                 : 0.;
         const DebrisMeasure m = measure_debris<dim>(
-            view.mesh, view.state, [](Index) { return true; }, origin, view.communicator);
+            view.mesh, view.state, [](Index) { return true; }, origin, view.communicator, view.waiting);
         report.results[stage.name].merge(debris_results(m, projectile_velocity(view), view.state.time, prefix));
       }
     };

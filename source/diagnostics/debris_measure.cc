@@ -62,16 +62,38 @@ namespace whipple
         }
       return parcels;
     }
+
+    template <int dim>
+    void
+    add_waiting(Symmetry symmetry, const CellPacketLayout<dim> &layout, const WaitingDebris<dim> &waiting, double time,
+                std::vector<Parcel> &parcels)
+    {
+      for (const Waiting<dim> &part : waiting.parts)
+        {
+          const CornerVectors<2>       x      = corners_at(symmetry, layout, part, time);
+          const ConservedTotals<dim> totals = totals_of(layout, part.element);
+          Parcel                     p{totals.mass, 0., 0., totals.momentum[1] / totals.mass};
+          for (int k = 0; k < 4; ++k)
+            {
+              p.radius += 0.25 * x[0][k];
+              p.axial += 0.25 * x[1][k];
+            }
+          p.radius = std::abs(p.radius);
+          parcels.push_back(p);
+        }
+    }
   } // namespace
 
   template <int dim>
   DebrisMeasure
   measure_debris(const FlatMesh<dim> &mesh, const State<dim> &state, const std::function<bool(Index)> &belongs,
-                 double origin, MPI_Comm communicator)
+                 double origin, MPI_Comm communicator, const WaitingDebris<dim> *waiting)
   {
     const std::vector<Parcel> mine    = parcels_of(mesh, state, belongs);
     std::vector<Parcel>       parcels = gather_all(communicator, std::span<const Parcel>(mine)).entry;
-    DebrisMeasure             result;
+    if (waiting)
+      add_waiting(mesh.symmetry, CellPacketLayout<dim>::of(state), *waiting, state.time, parcels);
+    DebrisMeasure result;
     if (parcels.empty())
       return result;
     const auto axial  = [](const Parcel &p) { return p.axial; };
@@ -116,7 +138,8 @@ namespace whipple
   }
 
   template DebrisMeasure
-  measure_debris(const FlatMesh<2> &, const State<2> &, const std::function<bool(Index)> &, double, MPI_Comm);
+  measure_debris(const FlatMesh<2> &, const State<2> &, const std::function<bool(Index)> &, double, MPI_Comm,
+                 const WaitingDebris<2> *);
   template double
   foremost_point(const FlatMesh<2> &, const State<2> &, MPI_Comm);
 } // namespace whipple

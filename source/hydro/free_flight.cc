@@ -40,16 +40,39 @@ namespace whipple
       return times;
     }
 
-    /// Solid over the volume of the cell that it must not exceed.
+    CornerVectors<2>
+    corners_after(const CornerVectors<2> &x, const CornerVectors<2> &u, double t)
+    {
+      CornerVectors<2> after;
+      for (int d = 0; d < 2; ++d)
+        for (int k = 0; k < 4; ++k)
+          after[d][k] = x[d][k] + t * u[d][k];
+      return after;
+    }
+
+    /// Corners of a cell and their velocities.
+    std::array<CornerVectors<2>, 2>
+    motion_of(const FlatMesh<2> &mesh, const State<2> &state, Index cell)
+    {
+      std::array<CornerVectors<2>, 2> result;
+      for (int k = 0; k < 4; ++k)
+        {
+          const Index n = mesh.cell_node[4 * cell + k];
+          for (int d = 0; d < 2; ++d)
+            {
+              result[0][d][k] = state.position[d][n];
+              result[1][d][k] = state.velocity[d][n];
+            }
+        }
+      return result;
+    }
+
+    /// Whether no material of a cell is pressed to less void than free flight needs.
     bool
     stays_open(const FlatMesh<2> &mesh, const State<2> &state, Index cell, double dt)
     {
-      const auto at = [&](double t) {
-        return cell_volume(mesh.symmetry, cell_shape::corners_after(mesh, state, cell, t));
-      };
-      double least = state.volume[cell];
-      for (const double t : times_to_look({at(0.), at(dt / 3.), at(2. * dt / 3.), at(dt)}, dt))
-        least = std::min(least, at(t));
+      const auto [x, u]  = motion_of(mesh, state, cell);
+      const double least = std::min(state.volume[cell], least_volume(mesh.symmetry, x, u, dt));
       if (!(least > 0))
         return false;
       for (const MaterialState &m : state.material)
@@ -57,24 +80,6 @@ namespace whipple
             !(1. - (1. - m.void_fraction[cell]) * (state.volume[cell] / least) > free_void_fraction))
           return false;
       return true;
-    }
-
-    bool
-    keeps_shape(const FlatMesh<2> &mesh, const State<2> &state, Index cell, double dt)
-    {
-      std::array<CornerVectors<2>, 4> x;
-      for (int i = 0; i < 4; ++i)
-        x[i] = cell_shape::corners_after(mesh, state, cell, dt * i / 3.);
-      for (int k = 0; k < 4; ++k)
-        {
-          std::array<double, 4> j{};
-          for (int i = 0; i < 4; ++i)
-            j[i] = CellShape<2>::corner_jacobian(x[i])[k];
-          for (const double t : times_to_look(j, dt))
-            if (CellShape<2>::folds(cell_shape::corners_after(mesh, state, cell, t), least_jacobian_share))
-              return false;
-        }
-      return !CellShape<2>::folds(x[0], least_jacobian_share);
     }
 
     /// No material with stress or without voids; something at all.
@@ -124,6 +129,29 @@ namespace whipple
     }
   } // namespace
 
+  double
+  least_volume(Symmetry symmetry, const CornerVectors<2> &x, const CornerVectors<2> &u, double dt)
+  {
+    const auto at    = [&](double t) { return cell_volume<2>(symmetry, corners_after(x, u, t)); };
+    double     least = at(0.);
+    for (const double t : times_to_look({least, at(dt / 3.), at(2. * dt / 3.), at(dt)}, dt))
+      least = std::min(least, at(t));
+    return least;
+  }
+
+  bool
+  keeps_shape(const CornerVectors<2> &x, const CornerVectors<2> &u, double dt)
+  {
+    std::array<std::array<double, 4>, 4> jacobian; // at four times
+    for (int i = 0; i < 4; ++i)
+      jacobian[i] = CellShape<2>::corner_jacobian(corners_after(x, u, dt * i / 3.));
+    for (int k = 0; k < 4; ++k)
+      for (const double t : times_to_look({jacobian[0][k], jacobian[1][k], jacobian[2][k], jacobian[3][k]}, dt))
+        if (CellShape<2>::folds(corners_after(x, u, t), least_jacobian_share))
+          return false;
+    return !CellShape<2>::folds(x, least_jacobian_share);
+  }
+
   void
   soften_rubble(const FlatMesh<2> &mesh, const State<2> &state, double void_fraction, Derived &derived)
   {
@@ -148,9 +176,12 @@ namespace whipple
   {
     std::vector<std::uint8_t> flies(mesh.n_owned, 0);
     for (Index c = 0; c < mesh.n_owned; ++c)
-      flies[c] = !mesh.intact[c] && !cell_shape::shares_nodes(mesh, c) && is_free(state, derived, c) &&
-                 stays_inside(mesh, state, walls, boundaries, c, dt) && stays_open(mesh, state, c, dt) &&
-                 keeps_shape(mesh, state, c, dt);
+      if (!mesh.intact[c] && !cell_shape::shares_nodes(mesh, c) && is_free(state, derived, c) &&
+          stays_inside(mesh, state, walls, boundaries, c, dt) && stays_open(mesh, state, c, dt))
+        {
+          const auto [x, u] = motion_of(mesh, state, c);
+          flies[c]          = keeps_shape(x, u, dt);
+        }
     return flies;
   }
 

@@ -49,6 +49,33 @@ namespace whipple
         v[d] = state.velocity[d][n];
       return v;
     }
+
+    template <int dim>
+    Vector<dim>
+    corner_velocity(const CellPacketLayout<dim> &layout, const CellPacket &packet, int corner)
+    {
+      Vector<dim> v;
+      for (int d = 0; d < dim; ++d)
+        v[d] = packet[layout.velocity(d, corner)];
+      return v;
+    }
+
+    /// The part of each body in the mass of one material: what its tag says, or what the other tags leave.
+    template <typename Value>
+    void
+    body_shares(const std::vector<int> &tag, const std::vector<Index> &material, Index m, std::vector<double> &share,
+                const Value &value_of_field)
+    {
+      double rest = 1.;
+      for (std::size_t b = 0; b < tag.size(); ++b)
+        {
+          share[b] = tag[b] >= 0 && material[b] == m ? value_of_field(tag[b]) : 0.;
+          rest -= share[b];
+        }
+      for (std::size_t b = 0; b < tag.size(); ++b)
+        if (tag[b] < 0 && material[b] == m)
+          share[b] = rest;
+    }
   } // namespace
 
   template <int dim>
@@ -109,16 +136,11 @@ namespace whipple
           const double         mass           = material_state.mass[c];
           if (mass == 0.)
             continue;
-          double rest = 1.;
+          body_shares(tag, material, static_cast<Index>(m), part,
+                      [&](int field) { return material_state.fields[field].value[c]; });
           for (std::size_t b = 0; b < n_bodies; ++b)
             {
-              part[b] =
-                  tag[b] >= 0 && material[b] == static_cast<Index>(m) ? material_state.fields[tag[b]].value[c] : 0.;
-              rest -= part[b];
-            }
-          for (std::size_t b = 0; b < n_bodies; ++b)
-            {
-              const double share = tag[b] < 0 && material[b] == static_cast<Index>(m) ? rest : part[b];
+              const double share = part[b];
               if (share == 0.)
                 continue;
               sums[b].sum[0].add(share * mass);
@@ -137,8 +159,68 @@ namespace whipple
     return result;
   }
 
+  template <int dim>
+  ConservedTotals<dim>
+  totals(const CellPacketLayout<dim> &layout, const std::vector<Waiting<dim>> &parts)
+  {
+    Sums<dim> sums;
+    for (const Waiting<dim> &part : parts)
+      {
+        const CellPacket &packet = part.element.packet;
+        for (int m = 0; m < layout.n_materials(); ++m)
+          {
+            sums.sum[0].add(packet[layout.mass(m)]);
+            sums.sum[1].add(packet[layout.mass(m)] * packet[layout.energy(m)]);
+          }
+        sums.sum[2].add(packet[layout.kinetic_remainder()]);
+        for (int k = 0; k < Element<dim>::corners; ++k)
+          sums.add_corner(part.element.corner_mass[k], corner_velocity(layout, packet, k));
+      }
+    return sums.amounts();
+  }
+
+  template <int dim>
+  std::vector<ConservedTotals<dim>>
+  body_totals(const CellPacketLayout<dim> &layout, const std::vector<Waiting<dim>> &parts, const std::vector<int> &tag,
+              const std::vector<Index> &material)
+  {
+    std::vector<Sums<dim>> sums(tag.size());
+    std::vector<double>    share(tag.size());
+    for (const Waiting<dim> &waiting : parts)
+      {
+        const Element<dim> &element = waiting.element;
+        const CellPacket   &packet  = element.packet;
+        double              whole   = 0;
+        for (const double corner : element.corner_mass)
+          whole += corner;
+        for (int m = 0; m < layout.n_materials(); ++m)
+          {
+            const double mass = packet[layout.mass(m)];
+            body_shares(tag, material, static_cast<Index>(m), share,
+                        [&](int field) { return packet[layout.field(m, field)]; });
+            for (std::size_t b = 0; b < tag.size(); ++b)
+              {
+                sums[b].sum[0].add(share[b] * mass);
+                sums[b].sum[1].add(share[b] * mass * packet[layout.energy(m)]);
+                for (int k = 0; k < Element<dim>::corners; ++k)
+                  sums[b].add_corner(share[b] * mass * (element.corner_mass[k] / whole),
+                                     corner_velocity(layout, packet, k));
+              }
+          }
+      }
+    std::vector<ConservedTotals<dim>> result;
+    for (const Sums<dim> &s : sums)
+      result.push_back(s.amounts());
+    return result;
+  }
+
   template ConservedTotals<2>
   totals(const FlatMesh<2> &, const State<2> &, MPI_Comm);
+  template ConservedTotals<2>
+  totals(const CellPacketLayout<2> &, const std::vector<Waiting<2>> &);
+  template std::vector<ConservedTotals<2>>
+  body_totals(const CellPacketLayout<2> &, const std::vector<Waiting<2>> &, const std::vector<int> &,
+              const std::vector<Index> &);
   template ConservedTotals<2>
   cell_sum(const FlatMesh<2> &, const State<2> &, const std::function<bool(Index)> &, MPI_Comm);
   template std::vector<ConservedTotals<2>>

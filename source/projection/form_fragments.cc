@@ -99,7 +99,10 @@ namespace whipple::projection
           volume += volume_of(i);
         const double lost = lost_kinetic();
         for (const Index i : group_)
-          write_part(volume_of(i) / volume, parcels_[i], lost, elements[element_of_[i]]);
+          {
+            write_part(volume_of(i) / volume, parcels_[i], lost, elements[element_of_[i]]);
+            elements[element_of_[i]].piece = report.pieces;
+          }
         report.kinetic_loss += lost;
         if (on_axis_)
           report.axis_impulse += total_.mass * total_.mean_u[0];

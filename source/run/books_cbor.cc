@@ -83,6 +83,15 @@ namespace nlohmann
   };
 
   template <>
+  struct adl_serializer<whipple::SharedDebris<2>>
+  {
+    static void
+    to_json(json &j, const whipple::SharedDebris<2> &waiting);
+    static void
+    from_json(const json &j, whipple::SharedDebris<2> &waiting);
+  };
+
+  template <>
   struct adl_serializer<whipple::Bookings<2>>
   {
     static void
@@ -119,6 +128,9 @@ namespace whipple
   using LedgerBooks   = Ledger<2>::Books;
   using LedgerClosure = Ledger<2>::Closure;
   using Books         = RunBooks<2>;
+  using Piece         = Element<2>;
+  using Part          = Waiting<2>;
+  using Debris        = WaitingDebris<2>;
 
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Amounts, mass, momentum, internal_energy, kinetic_energy)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
@@ -126,9 +138,13 @@ namespace whipple
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldSeries, count, grids)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReportProgress, next_fields, next_statistics, fields, statistics_bytes,
                                      table_bytes, events_warned)
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageProgress, begun, memory_of_end, last_time_step, ceiling, failed_until,
-                                     retries, since_regrid, spare_after_regrid, locked, locked_noted, history, contacts)
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Books, stage, progress, ledger, summary, report, watches)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageProgress, begun, next_arrivals, memory_of_end, last_time_step, ceiling,
+                                     failed_until, retries, since_regrid, spare_after_regrid, locked, locked_noted,
+                                     history, contacts)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Piece, key, position, corner_mass, packet, piece)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Part, element, since, centre)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Debris, parts, totals, fastest)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Books, stage, progress, ledger, summary, report, watches, waiting)
 
   // classes in a class are found by their own namespace only through their members
   namespace
@@ -180,6 +196,17 @@ namespace whipple
 
 namespace nlohmann
 {
+  void
+  adl_serializer<whipple::SharedDebris<2>>::to_json(json &j, const whipple::SharedDebris<2> &waiting)
+  {
+    j = waiting ? json(*waiting) : json(nullptr);
+  }
+  void
+  adl_serializer<whipple::SharedDebris<2>>::from_json(const json &j, whipple::SharedDebris<2> &waiting)
+  {
+    waiting =
+        j.is_null() ? nullptr : std::make_shared<const whipple::WaitingDebris<2>>(j.get<whipple::WaitingDebris<2>>());
+  }
   void
   adl_serializer<whipple::Bookings<2>>::to_json(json &j, const whipple::Bookings<2> &bookings)
   {

@@ -81,9 +81,6 @@ namespace whipple
       return stage.cohesion == Cohesion::fragments ? 0 : halo_width<dim>;
     }
 
-    /// Cells around solid that may be asked for beyond the scene's buffer.
-    constexpr int largest_buffer = 1024;
-
     /// Share of a cell below which it does not become an element when all is laid anew.
     constexpr double sliver_of_element = 1e-3;
     /// Part of the domain that solid may fill for that.
@@ -96,18 +93,6 @@ namespace whipple
     {
       const Vector<dim> upper = scene.upper_corner();
       return cell_volume<dim>(scene.lattice.symmetry, CellShape<dim>::box(scene.lattice.origin, upper));
-    }
-
-    /// Cells that must be free of material when a step begins, a flag for each owned and halo cell.
-    template <int dim>
-    std::vector<std::uint8_t>
-    edge_flags(const FlatPartition<dim> &view)
-    {
-      std::vector<double> edge(view.mesh.n_cells, 0.);
-      for (const Index c : Regridding<dim>::edge_cells(view.mesh))
-        edge[c] = 1.;
-      view.halo.exchange(std::vector<std::vector<double> *>{&edge}, {});
-      return {edge.begin(), edge.end()};
     }
 
     template <int dim>
@@ -132,19 +117,30 @@ namespace whipple
 
   template <int dim>
   void
-  Handover<dim>::enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger) const
+  Handover<dim>::enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger,
+                       SharedDebris<dim> &waiting) const
   {
     if (!previous)
       start(stage, domain, ledger);
     else if (previous->mode() == StageMode::lagrangian)
-      lay_down(stage, 0., domain, ledger);
+      {
+        Bookings<dim> gathered;
+        auto          elements = gather(stage, domain, gathered);
+        if (stage.mode() == StageMode::eulerian)
+          elements = let_wait(stage, domain, std::move(elements), waiting);
+        lay_down(stage, elements, 0., gathered, domain, ledger);
+      }
     else if (!stage.introduces.empty())
       {
         ledger.enter(Regridding<dim>::cause, regridding_.regrid(domain, stage.lost_kinetic_energy, stage.introduces));
         paint(stage, domain, ledger);
       }
     if (stage.mode() == StageMode::lagrangian)
-      take_up(stage, previous && previous->mode() == StageMode::eulerian, domain, ledger);
+      {
+        const bool select = previous && previous->mode() == StageMode::eulerian;
+        judge_waiting(debris_criteria(*stage.lagrangian, select), domain, ledger, waiting);
+        take_up(stage, select, domain, ledger);
+      }
   }
 
   template <int dim>
@@ -160,7 +156,9 @@ namespace whipple
     Stage between = stage;
     between.introduces.clear();
     between.representation = RepresentationRegistry::make("distended");
-    lay_down(between, sliver_of_element, domain, ledger);
+    Bookings<dim> gathered;
+    const auto    elements = gather(between, domain, gathered);
+    lay_down(between, elements, sliver_of_element, gathered, domain, ledger);
     take_up(between, false, domain, ledger);
     spread(between, domain, ledger);
     return true;
@@ -203,37 +201,52 @@ namespace whipple
 
   template <int dim>
   void
-  Handover<dim>::build_around(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout,
-                              const Stage &stage, int buffer, Domain<dim> &domain) const
+  Handover<dim>::request(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout, int buffer,
+                         RefinementMap<dim> &map) const
   {
-    RefinementMap<dim> map(scene_.lattice);
+    const Vector<dim> upper = scene_.upper_corner();
     for (const Element<dim> &element : elements)
       {
-        const auto        box    = bounding_box(element);
-        const Vector<dim> upper  = scene_.upper_corner();
-        bool              inside = true;
+        const auto box    = bounding_box(element);
+        bool       inside = true;
         for (int d = 0; d < dim; ++d)
           inside = inside && box[1][d] > scene_.lattice.origin[d] && box[0][d] < upper[d];
         if (inside)
           map.request(regridding_.need().of_solid_fraction(solid_fraction(layout, element.packet)), box[0], box[1],
                       buffer);
       }
+  }
+
+  template <int dim>
+  void
+  Handover<dim>::build_around(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout,
+                              const Stage &stage, int buffer, Domain<dim> &domain) const
+  {
+    RefinementMap<dim> map(scene_.lattice);
+    request(elements, layout, buffer, map);
     request_bodies(scene_, &regridding_.need(), std::span<const std::size_t>(stage.introduces), map);
     map.synchronise(domain.communicator());
     regridding_.build(domain, map);
   }
 
   template <int dim>
+  std::vector<Element<dim>>
+  Handover<dim>::gather(const Stage &stage, const Domain<dim> &domain, Bookings<dim> &bookings) const
+  {
+    const auto layout = CellPacketLayout<dim>::of(domain.state);
+    return stage.representation->gather(
+        {scene_.lattice, layout, stage.lost_kinetic_energy, field_index(layout_.fields, "fragmented share"),
+         field_index(layout_.fields, "fragment size moment")},
+        gather_elements(domain.communicator(), layout, elements_of(layout, domain.view->mesh, domain.state)), bookings);
+  }
+
+  template <int dim>
   void
-  Handover<dim>::lay_down(const Stage &stage, double sliver, Domain<dim> &domain, Ledger<dim> &ledger) const
+  Handover<dim>::lay_down(const Stage &stage, const std::vector<Element<dim>> &elements, double sliver,
+                          const Bookings<dim> &gathered, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
     const MPI_Comm communicator = domain.communicator();
     const auto     layout       = CellPacketLayout<dim>::of(domain.state);
-    Bookings<dim>  gathered;
-    const auto     elements = stage.representation->gather(
-            {scene_.lattice, layout, stage.lost_kinetic_energy, field_index(layout_.fields, "fragmented share"),
-             field_index(layout_.fields, "fragment size moment")},
-            gather_elements(communicator, layout, elements_of(layout, domain.view->mesh, domain.state)), gathered);
 
     // where pieces overlap, what does not fit needs room: if the mesh around them has too little, more of it
     const Ledger<dim> before = ledger;
@@ -245,7 +258,7 @@ namespace whipple
         paint(stage, domain, ledger);
         try
           {
-            const std::vector<std::uint8_t> edge = edge_flags(*domain.view);
+            const std::vector<std::uint8_t> edge = Regridding<dim>::edge_flags(*domain.view);
             laid = to_eulerian(communicator, scene_.lattice, layout, elements, *stage.representation, domain.view->mesh,
                                domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
                                stage.lost_kinetic_energy, domain.state);
@@ -262,20 +275,28 @@ namespace whipple
   }
 
   template <int dim>
+  DebrisCriteria
+  Handover<dim>::debris_criteria(const LagrangianStage &stage, bool select) const
+  {
+    DebrisCriteria criteria;
+    criteria.void_cutoff = 1.;
+    if (select)
+      {
+        criteria.void_cutoff    = stage.debris.void_cutoff;
+        criteria.least_velocity = stage.debris.minimum_axial_velocity;
+        if (stage.debris.behind)
+          criteria.plane = extent(scene_.bodies[*stage.debris.behind].shape).upper[flight_axis<dim>];
+      }
+    return criteria;
+  }
+
+  template <int dim>
   void
   Handover<dim>::take_up(const Stage &stage, bool select, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
     const MPI_Comm       communicator = domain.communicator();
     const FlatMesh<dim> &cells        = domain.view->mesh;
-    DebrisCriteria       criteria;
-    criteria.void_cutoff = 1.;
-    if (select)
-      {
-        criteria.void_cutoff    = stage.lagrangian->debris.void_cutoff;
-        criteria.least_velocity = stage.lagrangian->debris.minimum_axial_velocity;
-        if (stage.lagrangian->debris.behind)
-          criteria.plane = extent(scene_.bodies[*stage.lagrangian->debris.behind].shape).upper[flight_axis<dim>];
-      }
+    DebrisCriteria       criteria     = debris_criteria(*stage.lagrangian, select);
     // an element made of a trace would be nothing but void, phi = 1
     criteria.void_cutoff                 = std::min(criteria.void_cutoff, 1. - trace::share);
     const DebrisSelection<dim> selection = select_debris(cells, domain.state, criteria);

@@ -108,7 +108,8 @@ namespace whipple
 
   template <int dim>
   Booking<dim>
-  Regridding<dim>::regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering) const
+  Regridding<dim>::regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering,
+                          const std::function<void(RefinementMap<dim> &)> &also) const
   {
     const MPI_Comm          communicator = domain.communicator();
     const FlatMesh<dim>    &mesh         = domain.view->mesh;
@@ -123,6 +124,8 @@ namespace whipple
     }
     request_cells(domain, scene_.mesh.buffer, map);
     request_bodies(scene_, &need_, entering, map);
+    if (also)
+      also(map);
     map.synchronise(communicator);
 
     const PacketRemap<dim> remap = CellSplit<dim>(scene_.lattice, layout).packet_remap();
@@ -155,6 +158,17 @@ namespace whipple
       if (edge[c])
         cells.push_back(c);
     return cells;
+  }
+
+  template <int dim>
+  std::vector<std::uint8_t>
+  Regridding<dim>::edge_flags(const FlatPartition<dim> &view)
+  {
+    std::vector<double> edge(view.mesh.n_cells, 0.);
+    for (const Index c : edge_cells(view.mesh))
+      edge[c] = 1.;
+    view.halo.exchange(std::vector<std::vector<double> *>{&edge}, {});
+    return {edge.begin(), edge.end()};
   }
 
   template class Regridding<2>;

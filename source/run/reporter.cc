@@ -119,8 +119,8 @@ namespace whipple
     const Domain<dim> &domain = run.domain;
     for (const Watching &w : watching_)
       {
-        const MeasureView<dim> view{problem_,     run.books.stage, domain.view->mesh,
-                                    domain.state, domain.derived,  domain.communicator()};
+        const MeasureView<dim> view{problem_,       run.books.stage,       domain.view->mesh,      domain.state,
+                                    domain.derived, domain.communicator(), run.books.waiting.get()};
         call(*w.watch, view, run.books.watches[w.name], [&w](std::size_t table, const std::vector<double> &row) {
           std::vector<TableEntry> entries;
           for (std::size_t i = 0; i < row.size(); ++i)
@@ -293,8 +293,7 @@ namespace whipple
     const Domain<dim> &domain = run.domain;
     const Ledger<dim> &ledger = run.books.ledger;
     write_fields(stage, run);
-    const MPI_Comm             communicator = domain.communicator();
-    const ConservedTotals<dim> present      = totals(domain.view->mesh, domain.state, communicator);
+    const ConservedTotals<dim> present = run.present();
     log_.info(format("ledger at %.6g us, end of %s", domain.state.time, stage.name.c_str()));
     log_.info(format("  %-24s %13s %15s %15s %15s", "", "mass", "axial momentum", "internal", "kinetic"));
     log_.info(format("  %-24s %13s %15s %15s %15s", "", "g", "g cm/us", "Mbar cm^3", "Mbar cm^3"));
@@ -304,10 +303,11 @@ namespace whipple
       if (booking.dropped)
         log_.info(ledger_line("dropped: " + cause, *booking.dropped));
     log_.info(ledger_line("present", present));
+    if (run.books.waiting)
+      log_.info(ledger_line("  on its way", run.books.waiting->totals));
     if (layout_.bodies_separable && scene_.bodies.size() > 1)
       {
-        const auto bodies =
-            body_totals(domain.view->mesh, domain.state, layout_.body_tag, layout_.body_material, communicator);
+        const auto bodies = present_bodies(layout_, run);
         for (std::size_t b = 0; b < bodies.size(); ++b)
           if (bodies[b].mass > 0)
             log_.info(ledger_line("  of " + scene_.bodies[b].name, bodies[b]));

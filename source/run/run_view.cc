@@ -2,12 +2,34 @@
 #include <whipple/diagnostics/debris_measure.h>
 #include <whipple/diagnostics/plate_measure.h>
 #include <whipple/mesh/collective.h>
+#include <whipple/run/arrivals.h>
 #include <whipple/run/run_view.h>
 
 #include <algorithm>
 
 namespace whipple
 {
+  namespace
+  {
+    double
+    mean(const std::array<double, 4> &x)
+    {
+      return 0.25 * (x[0] + x[1] + x[2] + x[3]);
+    }
+  } // namespace
+
+  template <int dim>
+  template <typename Visit>
+  void
+  RunView<dim>::for_each_waiting(const Visit &visit) const
+  {
+    if (!run_.books.waiting)
+      return;
+    const auto layout = CellPacketLayout<dim>::of(run_.domain.state);
+    for (const Waiting<dim> &part : run_.books.waiting->parts)
+      visit(part, corners_at(scene_.lattice.symmetry, layout, part, time()), corner_velocities_of(layout, part));
+  }
+
   template <int dim>
   double
   RunView<dim>::time() const
@@ -33,7 +55,11 @@ namespace whipple
   double
   RunView<dim>::foremost() const
   {
-    return foremost_point(run_.domain.view->mesh, run_.domain.state, run_.domain.communicator());
+    double foremost = foremost_point(run_.domain.view->mesh, run_.domain.state, run_.domain.communicator());
+    for_each_waiting([&](const Waiting<dim> &, const CornerVectors<2> &x, const CornerVectors<2> &) {
+      foremost = std::max(foremost, *std::max_element(x[flight_axis<dim>].begin(), x[flight_axis<dim>].end()));
+    });
+    return foremost;
   }
 
   template <int dim>
@@ -45,6 +71,9 @@ namespace whipple
     for (Index n = 0; n < state.n_nodes(); ++n)
       if (state.node_mass[n] > 0)
         fastest = std::max(fastest, state.velocity[flight_axis<dim>][n]);
+    for_each_waiting([&](const Waiting<dim> &, const CornerVectors<2> &, const CornerVectors<2> &u) {
+      fastest = std::max(fastest, *std::max_element(u[flight_axis<dim>].begin(), u[flight_axis<dim>].end()));
+    });
     return max_over_ranks(fastest, run_.domain.communicator());
   }
 
@@ -66,7 +95,30 @@ namespace whipple
       return place > plane && speed > velocity;
     };
     const ConservedTotals<dim> sum = cell_sum<dim>(mesh, state, belongs, run_.domain.communicator());
-    return {sum.mass, sum.momentum[flight_axis<dim>]};
+    Debris                     found{sum.mass, sum.momentum[flight_axis<dim>]};
+    for_each_waiting([&](const Waiting<dim> &part, const CornerVectors<2> &x, const CornerVectors<2> &u) {
+      if (mean(x[flight_axis<dim>]) > plane && mean(u[flight_axis<dim>]) > velocity)
+        {
+          const auto holds = totals_of(CellPacketLayout<dim>::of(state), part.element);
+          found.mass += holds.mass;
+          found.momentum += holds.momentum[flight_axis<dim>];
+        }
+    });
+    return found;
+  }
+
+  template <int dim>
+  double
+  RunView<dim>::coming(double velocity) const
+  {
+    if (!run_.books.waiting)
+      return 0.;
+    const State<dim> &state = run_.domain.state;
+    double            face  = scene_.upper_corner()[flight_axis<dim>];
+    for (const std::size_t body : scene_.stages[run_.books.stage].introduces)
+      face = std::min(face, extent(scene_.bodies[body].shape).lower[flight_axis<dim>]);
+    return momentum_that_comes(scene_, CellPacketLayout<dim>::of(state), *run_.books.waiting, state.time, face,
+                               velocity);
   }
 
   template <int dim>
@@ -79,12 +131,12 @@ namespace whipple
     std::map<std::string, double> values;
     if (layout_.bodies_separable)
       {
-        const auto bodies = body_totals(mesh, domain.state, layout_.body_tag, layout_.body_material, communicator);
+        const auto bodies = present_bodies(layout_, run_);
         for (std::size_t b = 0; b < bodies.size(); ++b)
           values["kinetic energy of " + scene_.bodies[b].name] = bodies[b].kinetic_energy;
       }
     else
-      values["kinetic energy"] = totals(mesh, domain.state, communicator).kinetic_energy;
+      values["kinetic energy"] = run_.present().kinetic_energy;
     for (const std::size_t plate : measured_plates(scene_, run_.books.stage))
       {
         const std::string &name     = scene_.bodies[plate].name;

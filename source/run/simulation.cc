@@ -125,9 +125,13 @@ namespace whipple
   Simulation<dim>::measure(Look look)
   {
     const Domain<dim>     &domain = state_.domain;
-    const MeasureView<dim> view{problem_,          std::min(state_.books.stage, scene_.stages.size() - 1),
-                                domain.view->mesh, domain.state,
-                                domain.derived,    domain.communicator()};
+    const MeasureView<dim> view{problem_,
+                                std::min(state_.books.stage, scene_.stages.size() - 1),
+                                domain.view->mesh,
+                                domain.state,
+                                domain.derived,
+                                domain.communicator(),
+                                state_.books.waiting.get()};
     MeasureReport          report{state_.books.summary.results,
                          [this](const std::string &line) { reporter_.log().warning(line); }};
     for (const auto &[key, entry] : MeasureRegistry<dim>::all())
@@ -144,12 +148,11 @@ namespace whipple
     Ledger<dim>               &ledger  = state_.books.ledger;
     Domain<dim>               &domain  = state_.domain;
     const double               brought = ledger.introduced().kinetic_energy;
-    const ConservedTotals<dim> held =
-        number > 0 ? totals(domain.view->mesh, domain.state, domain.communicator()) : ConservedTotals<dim>{};
+    const ConservedTotals<dim> held    = number > 0 ? state_.present() : ConservedTotals<dim>{};
     try
       {
-        handover_.enter(stage, number > 0 ? &scene_.stages[number - 1] : nullptr, domain, ledger);
-        const auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+        handover_.enter(stage, number > 0 ? &scene_.stages[number - 1] : nullptr, domain, ledger, state_.books.waiting);
+        const auto present = state_.present();
         ledger.check(present, "the projection into stage '" + stage.name + "'", projection_round_off);
         const double made =
             present.kinetic_energy - held.kinetic_energy - (ledger.introduced().kinetic_energy - brought);
@@ -311,12 +314,10 @@ namespace whipple
     summary::Summary  &summary      = state_.books.summary;
     if (state_.domain.view)
       {
-        const FlatMesh<dim> &mesh  = state_.domain.view->mesh;
-        const State<dim>    &state = state_.domain.state;
-        summary.ledger             = summarise(ledger, totals(mesh, state, communicator));
+        summary.ledger = summarise(ledger, state_.present());
         if (layout_.bodies_separable)
           {
-            const auto bodies = body_totals(mesh, state, layout_.body_tag, layout_.body_material, communicator);
+            const auto bodies = present_bodies(layout_, state_);
             for (std::size_t b = 0; b < bodies.size(); ++b)
               summary.ledger.bodies[scene_.bodies[b].name] = {
                   {"mass_g", bodies[b].mass},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/collective.h>
+#include <whipple/run/arrivals.h>
+#include <whipple/run/rigid_walls.h>
 #include <whipple/run/run_view.h>
 #include <whipple/run/stage_loop.h>
 
@@ -23,20 +25,6 @@ namespace whipple
 
     /// Part of the active cells that coarsening must save to be worth a regrid of its own.
     constexpr double worthwhile_spare = 0.2;
-
-    /// The reflecting sides, where they are planes of the lattice.
-    template <int dim>
-    RigidWalls<dim>
-    rigid_walls(const Scene<dim> &scene)
-    {
-      RigidWalls<dim> walls;
-      for (int side = 0; side < 2 * dim && scene.mesh_map == MeshMap::identity; ++side)
-        {
-          walls.there[side]    = scene.boundaries[side].kind == BoundaryKind::reflecting;
-          walls.position[side] = side % 2 ? scene.upper_corner()[side / 2] : scene.lattice.origin[side / 2];
-        }
-      return walls;
-    }
   } // namespace
 
   template <int dim>
@@ -85,8 +73,7 @@ namespace whipple
   void
   StageLoop<dim>::check(const std::string &event)
   {
-    const Domain<dim> &domain = run_.domain;
-    run_.books.ledger.check(totals(domain.view->mesh, domain.state, domain.communicator()), event, round_off);
+    run_.books.ledger.check(run_.present(), event, round_off);
   }
 
   template <int dim>
@@ -96,6 +83,28 @@ namespace whipple
     run_.books.ledger.enter(Regridding<dim>::cause, regridding_.regrid(run_.domain, stage_.lost_kinetic_energy));
     new_mesh();
     check("a regrid");
+  }
+
+  template <int dim>
+  bool
+  StageLoop<dim>::debris_comes() const
+  {
+    return run_.books.waiting && stage_.mode() == StageMode::eulerian;
+  }
+
+  template <int dim>
+  void
+  StageLoop<dim>::land_arrivals()
+  {
+    RunBooks<dim> &books = run_.books;
+    const double   time  = run_.domain.state.time;
+    if (!debris_comes() || time < books.progress.next_arrivals)
+      return;
+    books.progress.next_arrivals = time + time_between_looks(scene_, *books.waiting);
+    if (!handover_.land_arrivals(stage_, run_.domain, books.ledger, books.waiting))
+      return;
+    new_mesh();
+    check("the arrival of debris");
   }
 
   template <int dim>
@@ -164,6 +173,8 @@ namespace whipple
       lower(scene_.numerics.growth_limit * progress.last_time_step, "growth");
     lower(stage_.max_time_step, "scene");
     lower(progress.ceiling, "retry");
+    if (debris_comes())
+      lower(0.5 * time_between_looks(scene_, *run_.books.waiting), "arrival of debris");
     progress.last_time_step = dt;
     // two equal steps rather than a full one and a very short one
     if (left < 2. * dt)
@@ -205,7 +216,7 @@ namespace whipple
     cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
     if (stage_.mode() == StageMode::lagrangian && holds_pieces())
       refuse_folded();
-    auto present = totals(domain.view->mesh, domain.state, domain.communicator());
+    auto present = run_.present();
     if (flight)
       present += flight->totals();
     ledger.check(present, "a step", round_off);
@@ -227,6 +238,7 @@ namespace whipple
   StageLoop<dim>::advance(double left)
   {
     const double before = run_.domain.state.time;
+    land_arrivals();
     if (!fly(left))
       step(left, nullptr);
     news_.look(stage_, run_.domain.state.time - before, run_);
@@ -372,6 +384,10 @@ namespace whipple
           stand();
       }
     close_record();
+    if (run_.books.waiting && (left.chain_over || run_.books.stage + 1 == scene_.stages.size()))
+      run_.books.ledger.note("parts of debris still on its way at the end",
+                             static_cast<double>(run_.books.waiting->parts.size()), run_.books.waiting->totals.mass,
+                             "g");
     news_.stage_ends(stage_, run_);
     return left.chain_over;
   }

@@ -13,16 +13,18 @@ namespace whipple
     ///
     /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
     /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free once half of the
-    /// momentum of what is that fast is beyond the plate, and grows there by less than `share` between looks two apart
-    /// (in the last sixth of the time), twice in a row; at the latest at `longest` times the time of that half. The
-    /// memory holds the time of the next look, how often it was quiet, the momenta of the last two looks, and the time
-    /// of the half (0: not yet).
+    /// momentum of what is that fast is beyond the plate, grows there by less than `share` between looks two apart (in
+    /// the last sixth of the time), twice in a row, and next to nothing is still coming. At the latest, once that half
+    /// is through, at `longest` times the time of it, or when the foremost has come to the next body. The memory holds
+    /// the time of the next look, how often it was quiet, the momenta of the last two looks, and the time of the half
+    /// (0: not yet).
     class EndWhenDebrisIsFree : public StageEnd
     {
     public:
-      EndWhenDebrisIsFree(std::string name, double rear, double velocity)
+      EndWhenDebrisIsFree(std::string name, double rear, double next_front, double velocity)
         : name_(std::move(name))
         , rear_(rear)
+        , next_front_(next_front)
         , velocity_(velocity)
       {
       }
@@ -71,18 +73,29 @@ namespace whipple
         const bool through = memory[4] > 0;
         const bool quiet   = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
         memory             = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
-        if (memory[1] >= 2. || (through && past >= longest * memory[4]))
+        const bool come    = stage.coming(velocity_) <= share_still_coming * all;
+        if ((come && memory[1] >= 2.) || (through && past >= longest * memory[4]))
           return {0., stage.time()};
+        if (through && std::isfinite(next_front_))
+          {
+            // what is through must not fly on to where the next body has not entered yet
+            const double gap = next_front_ - stage.foremost() - safe_cells * stage.finest_cell();
+            if (gap <= 0)
+              return {0., stage.time()};
+            memory[0] = std::min(memory[0], past + std::max(gap, stage.finest_cell()) / stage.fastest());
+          }
         return {memory[0] - past, stage.time() + memory[0] - past};
       }
 
     private:
       static constexpr double growth = 1.1;
       static constexpr double share = 0.01, longest = 8.;
+      static constexpr double safe_cells = 8;
 
       std::string name_;
-      double      rear_;     ///< of the plate, cm
-      double      velocity_; ///< least one of debris, cm/us
+      double      rear_;       ///< of the plate, cm
+      double      next_front_; ///< face of the nearest body beyond it, cm
+      double      velocity_;   ///< least one of debris, cm/us
     };
 
     const StageEndRegistration
@@ -94,7 +107,11 @@ namespace whipple
                         const std::size_t body       = input.body(input.rest);
                         if (!(input.largest_speed > 0))
                           input.reject("nothing moves in this scene; allowed is a time");
-                        return std::make_shared<EndWhenDebrisIsFree>(input.bodies[body], input.rears[body],
+                        double next = std::numeric_limits<double>::infinity();
+                        for (const double front : input.fronts)
+                          if (front >= input.rears[body])
+                            next = std::min(next, front);
+                        return std::make_shared<EndWhenDebrisIsFree>(input.bodies[body], input.rears[body], next,
                                                                      least_part * input.largest_speed);
                       }});
   } // namespace

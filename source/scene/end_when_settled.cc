@@ -9,7 +9,8 @@ namespace whipple
 {
   namespace
   {
-    /// When nothing that is watched has changed by more than a share of its largest value within a time.
+    /// When nothing that is watched has changed by more than a share of its largest value within a time, and next to
+    /// no debris is still on its way.
     ///
     /// Looks are made at equal distances, `looks` of them in that time. The memory holds the time of the next look, the
     /// number of values, the largest value of each so far, and the last `looks` + 1 rows of values.
@@ -41,13 +42,21 @@ namespace whipple
         if (stage.time() < memory[0] - 1e-9 * interval)
           return {memory[0] - stage.time(), std::max(stage.start(), stage.time()) + time_};
         memory[0] += interval;
-        if (remember(stage, memory))
+        if (remember(stage, memory) && has_come(stage))
           return {0., stage.time()};
         return {memory[0] - stage.time(), std::max(stage.start(), stage.time()) + time_};
       }
 
     private:
       static constexpr int looks = 10;
+
+      /// Whether next to no debris is still on its way.
+      static bool
+      has_come(const StageView &stage)
+      {
+        const double all = stage.beyond(-std::numeric_limits<double>::infinity(), 0.).momentum;
+        return stage.coming(0.) <= share_still_coming * all;
+      }
 
       /// Add a row. @returns whether all rows of a whole time agree
       bool

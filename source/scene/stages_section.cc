@@ -10,6 +10,8 @@ namespace whipple::sections
   namespace
   {
     const std::string path = "Stages";
+    /// When debris is laid down.
+    const std::string landing_key = "Hand-over";
 
     template <int dim>
     std::vector<std::string>
@@ -121,6 +123,8 @@ namespace whipple::sections
       if (mode == StageMode::lagrangian)
         stage.lagrangian = moving;
       stage.representation = read_representation(section);
+      stage.landing        = section.choice<Landing>(
+          landing_key, {{"at once", Landing::at_once}, {"as it arrives", Landing::as_it_arrives}});
       return stage;
     }
 
@@ -168,6 +172,17 @@ namespace whipple::sections
             section.reject("End", "body '" + scene.bodies[*awaited].name +
                                       "' is in the scene already; allowed is a body that a later stage introduces");
         }
+    }
+
+    /// Only elements can wait, and only for a fixed mesh.
+    void
+    check_landings(SceneParameters &parameters, const std::vector<Stage> &stages)
+    {
+      for (std::size_t s = 0; s < stages.size(); ++s)
+        if (stages[s].landing == Landing::as_it_arrives &&
+            (s == 0 || stages[s].mode() != StageMode::eulerian || stages[s - 1].mode() != StageMode::lagrangian))
+          SceneSection(parameters, path + "/" + stages[s].name)
+              .reject(landing_key, "the stage is not an Eulerian one after a Lagrangian one; allowed is 'at once'");
     }
 
     /// Absolute ends follow one another.
@@ -228,6 +243,10 @@ namespace whipple::sections
         section.declare("Debris behind", "none",
                         "lagrangian after eulerian: only material beyond the rear face of this body; none: no limit");
         section.declare("Representation", "distended", "eulerian after lagrangian: " + RepresentationRegistry::usage());
+        section.declare(
+            landing_key, "at once",
+            "eulerian after lagrangian: at once (all debris is laid down) | as it arrives (what flies freely "
+            "waits outside the mesh until it comes to what is there)");
         for (const auto &[representation, registered] : RepresentationRegistry::all())
           for (const SectionEntry &entry : registered.entries)
             section.declare(entry.key, entry.default_value, entry.documentation);
@@ -248,6 +267,7 @@ namespace whipple::sections
     if (!first.given("Introduces"))
       introduce_the_rest(first, scene, stages);
     check_introductions(parameters, scene, stages);
+    check_landings(parameters, stages);
     check_times(parameters, stages);
     return stages;
   }

@@ -36,7 +36,12 @@ namespace
   shield(const std::string &cohesion)
   {
     std::vector<std::string> overrides = small;
-    overrides.push_back("Stages/debris/Cohesion = " + cohesion);
+    const bool               streams   = cohesion == "streaming";
+    overrides.push_back("Stages/debris/Cohesion = " + (streams ? "fragments" : cohesion));
+    if (streams) // some of the debris in pieces, all of it on its way when the wall enters
+      overrides.insert(overrides.end(),
+                       {"Stages/wall/Hand-over = as it arrives", "Stages/wall/Representation = fragments",
+                        "Stages/wall/Fragment size = 0.2 cm", "Stages/wall/End = for 4 us"});
     overrides.insert(overrides.end(), gauges.begin(), gauges.end());
     if (cohesion == "graded")
       overrides.insert(overrides.end(),
@@ -189,6 +194,10 @@ namespace
   TEST(Restart, ChainOfFragmentsHasTheSameBits)
   {
     expect_same_bits("fragments");
+  }
+  TEST(Restart, ChainWithDebrisOnItsWayHasTheSameBits)
+  {
+    expect_same_bits("streaming");
   }
   TEST(Restart, ChainOfBondedElementsHasTheSameBits)
   {

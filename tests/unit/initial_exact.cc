@@ -62,8 +62,9 @@ namespace
       , regridding(scene, layout)
       , domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}
     {
-      Ledger<2> ledger;
-      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      Ledger<2>       ledger;
+      SharedDebris<2> waiting;
+      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
       LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
           .evaluate(domain.state, domain.derived);
     }

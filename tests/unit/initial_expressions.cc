@@ -29,7 +29,8 @@ namespace
       , regridding(scene, problem.layout)
       , domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}
     {
-      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      SharedDebris<2> waiting;
+      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
     }
 
     Problem<2>      problem;

@@ -31,7 +31,8 @@ namespace
       , regridding(problem.scene, problem.layout)
       , domain{Forest<2>(MPI_COMM_SELF, problem.scene.lattice), nullptr, {}}
     {
-      Handover<2>(problem, regridding).enter(problem.scene.stages[0], nullptr, domain, ledger);
+      SharedDebris<2> waiting;
+      Handover<2>(problem, regridding).enter(problem.scene.stages[0], nullptr, domain, ledger, waiting);
     }
 
     /// Least share of a cell that is filled at all.

@@ -70,6 +70,17 @@ namespace
     books.report.table_bytes["a.csv"] = 77;
     books.watches["gauges"]           = {1. / 3., NAN, -1.};
 
+    books.progress.next_arrivals = 1. / 3.;
+    Waiting<2> part;
+    part.element.key            = 0xfedcba9876543210u;
+    part.element.piece          = 5;
+    part.element.position[1][2] = 1. / 7.;
+    part.element.corner_mass[3] = 0x1p-1060;
+    part.element.packet         = {0.1, 1e300};
+    part.since                  = 0.7;
+    part.centre                 = {{0.1, -0.3}};
+    books.waiting               = std::make_shared<const WaitingDebris<2>>(WaitingDebris<2>{{part}, amount, 0.6});
+
     const auto bytes = to_cbor(books);
     const auto again = books_from_cbor(bytes);
     EXPECT_EQ(to_cbor(again), bytes);
@@ -84,6 +95,14 @@ namespace
     EXPECT_EQ(again.summary.stages[0].finest_equivalent_cells, std::optional<long>(12));
     EXPECT_FALSE(again.summary.stages[0].elements);
     EXPECT_EQ(again.report.table_bytes, books.report.table_bytes);
+    ASSERT_TRUE(again.waiting);
+    EXPECT_EQ(again.progress.next_arrivals, 1. / 3.);
+    EXPECT_EQ(again.waiting->parts[0].element.key, part.element.key);
+    EXPECT_EQ(again.waiting->parts[0].element.position, part.element.position);
+    EXPECT_EQ(again.waiting->parts[0].element.corner_mass, part.element.corner_mass);
+    EXPECT_EQ(again.waiting->parts[0].element.packet, part.element.packet);
+    EXPECT_EQ(again.waiting->parts[0].centre, part.centre);
+    EXPECT_EQ(again.waiting->totals.momentum, amount.momentum);
     EXPECT_EQ(again.watches.at("gauges")[0], 1. / 3.);
     EXPECT_TRUE(std::isnan(again.watches.at("gauges")[1]));
     EXPECT_THROW(books_from_cbor({bytes.begin(), bytes.end() - 9}), StateError);

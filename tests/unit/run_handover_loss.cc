@@ -59,7 +59,8 @@ namespace
     const Handover<2>   handover(problem, regridding);
     Domain<2>           domain{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}};
     Entered             result;
-    handover.enter(scene.stages[0], nullptr, domain, result.ledger);
+    SharedDebris<2>     waiting;
+    handover.enter(scene.stages[0], nullptr, domain, result.ledger, waiting);
     const FlatMesh<2> &mesh  = domain.view->mesh;
     MaterialState     &cloud = domain.state.material[0];
     for (Index c = 0; c < mesh.n_cells; ++c)
@@ -79,7 +80,7 @@ namespace
     step.update_node_mass(domain.state);
     step.evaluate(domain.state, domain.derived);
     result.before = totals(mesh, domain.state, MPI_COMM_SELF);
-    handover.enter(scene.stages[1], &scene.stages[0], domain, result.ledger);
+    handover.enter(scene.stages[1], &scene.stages[0], domain, result.ledger, waiting);
     result.after = totals(domain.view->mesh, domain.state, MPI_COMM_SELF);
     return result;
   }

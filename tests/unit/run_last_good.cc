@@ -40,7 +40,7 @@ namespace
     const Regridding<2> regridding(scene, layout);
     const Handover<2>   handover(problem, regridding);
     RunState<2>         run{{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}, {}};
-    handover.enter(scene.stages[0], nullptr, run.domain, run.books.ledger);
+    handover.enter(scene.stages[0], nullptr, run.domain, run.books.ledger, run.books.waiting);
     for (double &mass : run.domain.state.node_mass) // carried: not to the last bit what the cells' masses add up to
       mass *= 1. + 1e-6;
     const auto before = totals(run.domain.view->mesh, run.domain.state, MPI_COMM_SELF);

@@ -67,7 +67,8 @@ namespace
     RunState<2>         run{{Forest<2>(MPI_COMM_SELF, scene.lattice), nullptr, {}}, {}};
     Domain<2>          &domain = run.domain;
     Ledger<2>           ledger;
-    handover.enter(scene.stages[0], nullptr, domain, ledger);
+    SharedDebris<2>     waiting;
+    handover.enter(scene.stages[0], nullptr, domain, ledger, waiting);
     ASSERT_EQ(domain.view->mesh.n_cells, 1);
 
     // an hourglass that would fold at once: no change of volume, all of its kinetic energy turns into heat

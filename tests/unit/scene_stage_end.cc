@@ -16,6 +16,7 @@ namespace
   {
   public:
     double now = 0, begin = 0, tau = 1, tau_of_arrival = 1;
+    double all_is_there = 0; ///< us; until then a twentieth of the momentum waits outside the mesh
 
     double
     time() const override
@@ -48,6 +49,11 @@ namespace
       // beyond the plate nothing for 0.1 us, then momentum that tends to 1; 1 in all
       return {1., plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau_of_arrival)};
     }
+    double
+    coming(double) const override
+    {
+      return now < all_is_there ? 0.05 : 0.;
+    }
     std::map<std::string, double>
     watched() const override
     {
@@ -68,6 +74,8 @@ namespace
     input.body  = [](const std::string &name) -> std::size_t {
       if (name == "wall")
         return 1;
+      if (name == "bumper")
+        return 0;
       throw InputError("unknown '" + name + "'");
     };
     input.reject = [](const std::string &allowed) { throw InputError(allowed); };
@@ -177,6 +185,24 @@ namespace
     EXPECT_TRUE(read("until leading edge reaches wall")->time_left(stage, memory).chain_over);
   }
 
+  /// A stage does not end while more than 1 % of the momentum is on its way to it; once all is there it ends within the
+  /// next looks.
+  TEST(StageEnd, WaitsForDebrisThatWillArrive)
+  {
+    FakeStage stage;
+    stage.all_is_there = 40.;
+    EXPECT_NEAR(run(*read("until settled within 1 % for 2 us"), stage, 0.05), 40., 0.2 + 1e-9);
+    stage.all_is_there = 5.5;
+    const double end   = run(*read("until debris is free of wall"), stage, 0.02);
+    EXPECT_GE(end, 5.5);
+    EXPECT_LE(end, 5.5 * 1.1);
+    // at eight times the time of the half (ln 2 + 0.1) it ends whatever is on its way
+    stage.all_is_there = 1000.;
+    const double last  = run(*read("until debris is free of wall"), stage, 0.02);
+    EXPECT_GE(last, 8. * 0.79);
+    EXPECT_LE(last, 8. * 0.79 * 1.21);
+  }
+
   /// The crater grows as 0.2 (1 - exp(-t)) cm. Looks are a factor 1.1 apart, five of them must agree within half a
   /// cell, 0.005 cm: from the root of e^(-t/1.1^4) - e^-t = 0.025 on; the first look after that may be one later.
   TEST(StageEnd, HolesHaveSettled)
@@ -203,6 +229,19 @@ namespace
         EXPECT_NEAR(run(*read("until holes have settled and debris has reached wall within 9 us"), stage, step), 9.,
                     1e-8);
       }
+  }
+
+  /// What is through does not fly on to the wall, which enters later: half of the momentum is through the bumper at
+  /// 0.1 + 4 ln 2 = 2.87 us, and the foremost, at 0.5 t, is eight cells before the wall's face (2 cm) at 3.84 us.
+  TEST(StageEnd, DebrisDoesNotFlyPastTheNextBody)
+  {
+    FakeStage stage;
+    stage.tau = 4.;
+    EXPECT_NEAR(run(*read("until debris is free of bumper"), stage, 0.005), 3.84, 0.03);
+    stage.tau        = 8.; // half is through at 5.65 us only: the next look after that
+    const double end = run(*read("until debris is free of bumper"), stage, 0.005);
+    EXPECT_GE(end, 5.64);
+    EXPECT_LE(end, 5.65 * 1.1);
   }
 
   TEST(StageEnd, WhatIsNotUnderstoodIsRefused)

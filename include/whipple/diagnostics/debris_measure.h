@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -32,7 +33,7 @@ namespace whipple
   template <int dim>
   DebrisMeasure
   measure_debris(const FlatMesh<dim> &mesh, const State<dim> &state, const std::function<bool(Index cell)> &belongs,
-                 double origin, MPI_Comm communicator);
+                 double origin, MPI_Comm communicator, const WaitingDebris<dim> *waiting = nullptr);
 
   /// Largest coordinate along axis 1 that any owned cell with material reaches, over all ranks, cm.
   template <int dim>

@@ -4,6 +4,7 @@
 #include <whipple/diagnostics/result_table.h>
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/problem/problem.h>
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/registry.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
@@ -26,12 +27,13 @@ namespace whipple
   template <int dim>
   struct MeasureView
   {
-    const Problem<dim>  &problem;
-    std::size_t          stage; ///< number of the stage that the run is in
-    const FlatMesh<dim> &mesh;
-    const State<dim>    &state;
-    const Derived       &derived; ///< of this state, but for stage_begins()
-    MPI_Comm             communicator;
+    const Problem<dim>       &problem;
+    std::size_t               stage; ///< number of the stage that the run is in
+    const FlatMesh<dim>      &mesh;
+    const State<dim>         &state;
+    const Derived            &derived; ///< of this state, but for stage_begins()
+    MPI_Comm                  communicator;
+    const WaitingDebris<dim> *waiting; ///< debris on its way that is not in the state; null: nothing
 
     const Scene<dim>  &scene  = problem.scene;
     const FieldLayout &layout = problem.layout;

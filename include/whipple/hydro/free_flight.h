@@ -4,6 +4,7 @@
 #include <whipple/hydro/fragment_release.h>
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/mesh/cell_geometry.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -16,6 +17,14 @@ namespace whipple
   /// Void fraction above which fragments may fly freely: voids have joined up, so no effect finds anything to do in
   /// them (the effect "fragment size" has set its size).
   inline constexpr double free_void_fraction = 0.3;
+
+  /// Smallest volume, cm^3, of a cell whose corners fly straight from x [cm] with u [cm/us] for the time `dt`.
+  double
+  least_volume(Symmetry symmetry, const CornerVectors<2> &x, const CornerVectors<2> &u, double dt);
+
+  /// Whether such a cell has at all times in it no corner Jacobian below the least share of their mean.
+  bool
+  keeps_shape(const CornerVectors<2> &x, const CornerVectors<2> &u, double dt);
 
   /// Rubble carries no shear: no shear modulus and no yield stress in cells of their own nodes whose material holds
   /// more void than this.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/state/conserved_totals.h>
 #include <whipple/state/fields.h>
 
@@ -32,4 +33,15 @@ namespace whipple
   std::vector<ConservedTotals<dim>>
   body_totals(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<int> &tag,
               const std::vector<Index> &material, MPI_Comm communicator);
+
+  /// What waiting debris holds, by its corner masses.
+  template <int dim>
+  ConservedTotals<dim>
+  totals(const CellPacketLayout<dim> &layout, const std::vector<Waiting<dim>> &parts);
+
+  /// The same split by body, as the cells' contents are.
+  template <int dim>
+  std::vector<ConservedTotals<dim>>
+  body_totals(const CellPacketLayout<dim> &layout, const std::vector<Waiting<dim>> &parts, const std::vector<int> &tag,
+              const std::vector<Index> &material);
 } // namespace whipple

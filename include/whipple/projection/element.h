@@ -22,6 +22,7 @@ namespace whipple
     std::array<std::array<double, corners>, dim> position{};    ///< cm
     std::array<double, corners>                  corner_mass{}; ///< g
     CellPacket                                   packet;        ///< velocities, materials; normals unused
+    long piece = -1; ///< number of the solid piece that it is a part of, if it is (form_fragments); < 0: none
   };
 
   /// The owned elements of a Lagrangian state that hold material, in the order of the mesh.

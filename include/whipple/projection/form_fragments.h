@@ -21,7 +21,7 @@ namespace whipple::projection
   /// small to be shown, or that have not broken, stay as they are.
   /// @param elements of all ranks, ordered by key
   /// @param size     of the fragments that each element breaks into, cm; not positive: it has not broken
-  /// @returns as many elements, with the same keys
+  /// @returns as many elements, with the same keys; those of a piece have its number
   std::vector<Element<2>>
   form_fragments(const LandingView &view, std::vector<Element<2>> elements, std::span<const double> size,
                  FragmentReport &report);

@@ -3,7 +3,8 @@
 
 #include <whipple/ledger/ledger.h>
 #include <whipple/problem/problem.h>
-#include <whipple/projection/element.h>
+#include <whipple/projection/debris_selection.h>
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/run/regridding.h>
 
 namespace whipple
@@ -17,8 +18,17 @@ namespace whipple
 
     /// Make the domain ready for a stage: bodies that enter are painted, projections run where the mode changes.
     /// @param previous the stage before, null for the first
+    /// @param waiting  what is on its way and not in the domain; with `Hand-over = as it arrives` of an Eulerian stage
+    ///                 after a Lagrangian one the elements that can wait
     void
-    enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger) const;
+    enter(const Stage &stage, const Stage *previous, Domain<dim> &domain, Ledger<dim> &ledger,
+          SharedDebris<dim> &waiting) const;
+
+    /// Lay the debris down that has come to what an Eulerian stage holds. Reads domain.derived; the mesh is another one
+    /// then, and has no derived values. Collective.
+    /// @returns whether there was any; if not, nothing has happened
+    bool
+    land_arrivals(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger, SharedDebris<dim> &waiting) const;
 
     /// Lay the elements of a Lagrangian stage down on a fixed mesh and take them up again at once (rezone): pieces that
     /// have run into one another lie side by side afterwards. Elements beyond the domain leave it.
@@ -31,6 +41,31 @@ namespace whipple
     void
     start(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
 
+    /// The elements of all ranks as they are to be laid down in a stage.
+    std::vector<Element<dim>>
+    gather(const Stage &stage, const Domain<dim> &domain, Bookings<dim> &bookings) const;
+
+    /// Let those wait that can. @returns the others
+    std::vector<Element<dim>>
+    let_wait(const Stage &stage, const Domain<dim> &domain, std::vector<Element<dim>> elements,
+             SharedDebris<dim> &waiting) const;
+
+    /// What waits, made of parts; null if there are none.
+    SharedDebris<dim>
+    waiting_of(const CellPacketLayout<dim> &layout, std::vector<Waiting<dim>> parts) const;
+
+    /// Drop what waits and is no debris for a stage, by the criteria for its cells; what will fly through the plane of
+    /// the criteria without meeting what the domain still holds is beyond it.
+    void
+    judge_waiting(const DebrisCriteria &criteria, const Domain<dim> &domain, Ledger<dim> &ledger,
+                  SharedDebris<dim> &waiting) const;
+
+    /// Ask for the levels that elements need.
+    /// @param buffer cells of an element's level around it
+    void
+    request(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout, int buffer,
+            RefinementMap<dim> &map) const;
+
     /// A new Eulerian mesh around elements and entering bodies, without contents.
     /// @param buffer cells of an element's level around it
     void
@@ -38,9 +73,15 @@ namespace whipple
                  int buffer, Domain<dim> &domain) const;
 
     /// Elements and entering bodies onto a new Eulerian mesh.
-    /// @param sliver less than this share of an empty cell joins a neighbour
+    /// @param sliver   less than this share of an empty cell joins a neighbour
+    /// @param gathered what gathering them has booked
     void
-    lay_down(const Stage &stage, double sliver, Domain<dim> &domain, Ledger<dim> &ledger) const;
+    lay_down(const Stage &stage, const std::vector<Element<dim>> &elements, double sliver,
+             const Bookings<dim> &gathered, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+    /// Which cells of an Eulerian stage are debris for a Lagrangian one.
+    DebrisCriteria
+    debris_criteria(const LagrangianStage &stage, bool select) const;
 
     /// Cells become elements; of an Eulerian stage's material only the debris goes on, the rest is dropped.
     void
@@ -53,6 +94,9 @@ namespace whipple
 
     void
     paint(const Stage &stage, Domain<dim> &domain, Ledger<dim> &ledger) const;
+
+    /// Cells around solid that may be asked for beyond the scene's buffer.
+    static constexpr int largest_buffer = 1024;
 
     const Problem<dim>    &problem_;
     const Scene<dim>      &scene_;

@@ -7,6 +7,8 @@
 #include <whipple/run/domain.h>
 #include <whipple/scene/scene.h>
 
+#include <functional>
+
 namespace whipple
 {
   /// Layers of neighbours around a rank's cells that stay valid between two halo exchanges: what the kernel that
@@ -48,14 +50,19 @@ namespace whipple
 
     /// Follow the material: refine, coarsen and repartition with all contents, flatten anew. Reads domain.derived.
     /// @param entering bodies about to be painted, for which the mesh is prepared as well
+    /// @param also     asks for more; null: nothing
     /// @returns what the averaging of velocities lost and the walls took, all ranks
     Booking<dim>
-    regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering = {}) const;
+    regrid(Domain<dim> &domain, KineticLoss loss, std::span<const std::size_t> entering = {},
+           const std::function<void(RefinementMap<dim> &)> &also = {}) const;
 
     /// Cells next to the edge of the active region (and their neighbours): no material may be in them when a step
     /// begins, or it could leave the region.
     static std::vector<Index>
     edge_cells(const FlatMesh<dim> &mesh);
+    /// The same as a flag for each owned and halo cell. Collective.
+    static std::vector<std::uint8_t>
+    edge_flags(const FlatPartition<dim> &view);
 
   private:
     /// Ask for what every owned cell needs.

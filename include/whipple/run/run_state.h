@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/ledger/ledger.h>
+#include <whipple/ledger/totals.h>
 #include <whipple/output/summary.h>
 #include <whipple/run/contact.h>
 #include <whipple/run/domain.h>
@@ -27,6 +28,8 @@ namespace whipple
     long   since_regrid       = 0;  ///< steps since the mesh or its bonds were last looked at
     double spare_after_regrid = -1; ///< Fit::spare when first asked after a regrid; < 0: not yet
 
+    double next_arrivals = 0; ///< us; when it is looked for debris that has arrived
+
     std::vector<double>  memory_of_end; ///< what the stage's end remembers (StageEnd::time_left)
     std::vector<CellKey> locked; ///< elements of all ranks that keep their shape: a step has folded them, or slivers
     std::size_t          locked_noted = 0; ///< of them, from the first on, those in the ledger
@@ -46,6 +49,8 @@ namespace whipple
 
     std::map<std::string, std::vector<double>>
         watches; ///< what each watch remembers (diagnostics/measure.h), by its name
+
+    SharedDebris<dim> waiting; ///< debris on its way that is not in the domain
   };
 
   /// All that a run is at a moment. What can be worked out from it is no part of it.
@@ -61,5 +66,33 @@ namespace whipple
     {
       return books.summary.stages.back();
     }
+
+    /// What there is, in the domain and on its way. Collective.
+    ConservedTotals<dim>
+    present() const
+    {
+      auto sum = totals(domain.view->mesh, domain.state, domain.communicator());
+      if (books.waiting)
+        sum += books.waiting->totals;
+      return sum;
+    }
   };
+
+  /// The same split by body. @pre layout.bodies_separable
+  template <int dim>
+  std::vector<ConservedTotals<dim>>
+  present_bodies(const FieldLayout &layout, const RunState<dim> &run)
+  {
+    const State<dim> &state = run.domain.state;
+    auto              bodies =
+        body_totals(run.domain.view->mesh, state, layout.body_tag, layout.body_material, run.domain.communicator());
+    if (run.books.waiting)
+      {
+        const auto waiting = body_totals(CellPacketLayout<dim>::of(state), run.books.waiting->parts, layout.body_tag,
+                                         layout.body_material);
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+          bodies[b] += waiting[b];
+      }
+    return bodies;
+  }
 } // namespace whipple

@@ -6,7 +6,7 @@
 
 namespace whipple
 {
-  /// A running stage as its end sees it.
+  /// A running stage as its end sees it, with the debris that waits for it.
   template <int dim>
   class RunView : public StageView
   {
@@ -29,14 +29,21 @@ namespace whipple
     foremost() const override;
     double
     fastest() const override;
-    /// Kinetic energy of each body (of all together where they cannot be told apart), hole diameter and crater depth of
-    /// each plate.
+    double
+    coming(double velocity) const override;
     Debris
     beyond(double plane, double velocity) const override;
+    /// Kinetic energy of each body (of all together where they cannot be told apart), hole diameter and crater depth of
+    /// each plate.
     std::map<std::string, double>
     watched() const override;
 
   private:
+    /// Call visit(part, corners, their velocities) for all that waits, on all ranks.
+    template <typename Visit>
+    void
+    for_each_waiting(const Visit &visit) const;
+
     const Scene<dim>    &scene_;
     const FieldLayout   &layout_;
     const RunState<dim> &run_;

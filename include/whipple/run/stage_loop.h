@@ -98,6 +98,12 @@ namespace whipple
     /// Join elements that have run into one another; lay all anew if that does not do. @returns whether the mesh is new
     bool
     meet();
+    /// Whether debris waits for an Eulerian stage.
+    bool
+    debris_comes() const;
+    /// Lay down the debris that has come, if it is time to look. The mesh is new then.
+    void
+    land_arrivals();
     bool
     regrid_is_due();
     bool

@@ -97,6 +97,13 @@ namespace whipple
     DebrisEntry   debris;   ///< where the stage follows an Eulerian one
   };
 
+  /// When elements of a Lagrangian stage are laid down in the Eulerian one after it.
+  enum class Landing
+  {
+    at_once,      ///< all at its begin
+    as_it_arrives ///< what flies freely waits until it comes to what is there
+  };
+
   /// One link of the chain.
   /// Until when an Eulerian stage follows its plates.
   enum class PlatesMeasured
@@ -116,6 +123,7 @@ namespace whipple
     std::optional<double>           void_growth; ///< us/cm^2, alpha of every rate void law; none: as the materials say
     /// What the elements of a Lagrangian stage before it are laid down as.
     std::shared_ptr<const Representation> representation;
+    Landing                               landing = Landing::at_once;
 
     std::optional<LagrangianStage> lagrangian; ///< none: the mesh is fixed
 

@@ -48,11 +48,18 @@ namespace whipple
     /// Material beyond a plane across the line of flight [cm] that is faster along it than `velocity` [cm/us].
     virtual Debris
     beyond(double plane, double velocity) const = 0;
+    /// Momentum along axis 1 of debris that is faster along it than `velocity`, has not been laid down yet and will
+    /// arrive, g cm/us. beyond() counts it, too.
+    virtual double
+    coming(double velocity) const = 0;
     /// What there is to watch, by name: kinetic energy of each body, hole and crater of each plate ... (cm, g, us,
     /// Mbar)
     virtual std::map<std::string, double>
     watched() const = 0;
   };
+
+  /// Share of the momentum along axis 1 that may still be coming when a stage ends.
+  inline constexpr double share_still_coming = 0.01;
 
   /// One way for a stage to end.
   class StageEnd

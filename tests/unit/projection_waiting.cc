@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Debris that waits outside the mesh flies straight, keeps what it holds, and a ring of it keeps its solid.
+#include <whipple/projection/waiting_debris.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace
+{
+  using namespace whipple;
+
+  /// One material with voids and one carried field.
+  CellPacketLayout<2>
+  one_material()
+  {
+    CellPacketLayout<2> layout;
+    layout.has_voids = {true};
+    layout.carrier   = {Carrier::volume};
+    return layout;
+  }
+
+  /// A rectangle [r, r + dr] x [z, z + dz] of density 2.7 (1 - phi), its corners moving with u + rate (x - x of corner
+  /// 0).
+  Element<2>
+  rectangle(Symmetry symmetry, double r, double z, double dr, double dz, double phi, const Vector<2> &u, double rate)
+  {
+    const CellPacketLayout<2> layout = one_material();
+    Element<2>                element;
+    element.packet.assign(layout.size(), 0.);
+    for (int k = 0; k < 4; ++k)
+      {
+        element.position[0][k]                = r + (k & 1 ? dr : 0.);
+        element.position[1][k]                = z + (k & 2 ? dz : 0.);
+        element.packet[layout.velocity(0, k)] = u[0] + rate * (element.position[0][k] - r);
+        element.packet[layout.velocity(1, k)] = u[1] + rate * (element.position[1][k] - z);
+      }
+    const double volume                     = cell_volume<2>(symmetry, element.position);
+    element.packet[layout.volume(0)]        = volume;
+    element.packet[layout.density(0)]       = 2.7 * (1. - phi);
+    element.packet[layout.mass(0)]          = 2.7 * (1. - phi) * volume;
+    element.packet[layout.energy(0)]        = 0.003;
+    element.packet[layout.void_fraction(0)] = phi;
+    element.packet[layout.field(0, 0)]      = 1e-3;
+    for (double &mass : element.corner_mass)
+      mass = 0.25 * element.packet[layout.mass(0)];
+    return element;
+  }
+
+  ConservedTotals<2>
+  sum_of(const std::vector<Element<2>> &elements)
+  {
+    ConservedTotals<2> sum;
+    for (const Element<2> &element : elements)
+      sum += totals_of(one_material(), element);
+    return sum;
+  }
+
+  /// Planar: a square of edge a whose corners part with the rate D is a square of edge a (1 + D t) after t, and its
+  /// solid is what it was.
+  TEST(WaitingDebris, AnElementFliesStraightAndItsVoidsTakeUpItsVolume)
+  {
+    const CellPacketLayout<2> layout  = one_material();
+    const Element<2>          element = rectangle(Symmetry::planar, 1., 2., 0.1, 0.1, 0.5, {{0.1, 0.6}}, 0.25);
+    const std::array<int, 1>  stress{0};
+    const auto                parts = begin_to_wait(layout, {}, {element}, stress, 3.);
+    const auto                later = elements_at(Symmetry::planar, layout, parts, 7.);
+    ASSERT_EQ(later.size(), 1u);
+    const double factor = 1. + 0.25 * 4.;
+    EXPECT_NEAR(later[0].position[0][0], 1.4, 1e-14);
+    EXPECT_NEAR(later[0].position[1][0], 4.4, 1e-14);
+    EXPECT_NEAR(later[0].position[0][3], 1.4 + 0.1 * factor, 1e-14);
+    EXPECT_NEAR(later[0].position[1][3], 4.4 + 0.1 * factor, 1e-14);
+    EXPECT_NEAR(later[0].packet[layout.volume(0)], 0.01 * factor * factor, 1e-15);
+    EXPECT_NEAR(later[0].packet[layout.void_fraction(0)], 1. - 0.5 / (factor * factor), 1e-14);
+    EXPECT_NEAR(later[0].packet[layout.density(0)], 2.7 * 0.5 / (factor * factor), 1e-14);
+    EXPECT_EQ(later[0].packet[layout.field(0, 0)], 0.); // stress
+    EXPECT_EQ(later[0].packet[layout.mass(0)], element.packet[layout.mass(0)]);
+    EXPECT_NEAR(void_fraction_at(Symmetry::planar, layout, parts[0], 7.), later[0].packet[layout.void_fraction(0)],
+                1e-14);
+    // in one leap or in two: the same bits, as places count from the beginning
+    EXPECT_EQ(elements_at(Symmetry::planar, layout, parts, 3.)[0].position, element.position);
+  }
+
+  /// A ring of solid of two parts flies outwards: Pappus' volume 2 pi R A stays, so the section shrinks as 1/R, and
+  /// what it holds is divided anew between its parts.
+  TEST(WaitingDebris, ARingKeepsItsSolid)
+  {
+    const CellPacketLayout<2> layout = one_material();
+    const Vector<2>           u{{0.2, 0.5}};
+    std::vector<Element<2>>   elements{rectangle(Symmetry::axisymmetric, 0.5, 0., 0.1, 0.1, 0., u, 0.),
+                                     rectangle(Symmetry::axisymmetric, 0.6, 0., 0.1, 0.1, 0., u, 0.)};
+    for (Element<2> &element : elements)
+      element.piece = 0;
+    const auto   parts  = begin_to_wait(layout, {}, elements, {}, 0.);
+    const auto   later  = elements_at(Symmetry::axisymmetric, layout, parts, 3.);
+    const double middle = 0.6 + 0.2 * 3., scale = std::sqrt(0.6 / middle);
+    EXPECT_NEAR(later[0].position[0][1], middle, 1e-14); // where the parts meet
+    EXPECT_NEAR(later[1].position[0][0], middle, 1e-14);
+    EXPECT_NEAR(later[1].position[0][1], middle + scale * 0.1, 1e-14);
+    EXPECT_NEAR(later[0].position[1][2] - later[0].position[1][0], scale * 0.1, 1e-14);
+    double volume = 0;
+    for (const Element<2> &element : later)
+      {
+        const double own = cell_volume<2>(Symmetry::axisymmetric, element.position);
+        volume += own;
+        EXPECT_NEAR(element.packet[layout.mass(0)], 2.7 * own, 1e-14);
+        EXPECT_NEAR(element.packet[layout.volume(0)], own, 1e-14);
+        EXPECT_EQ(element.packet[layout.density(0)], 2.7);
+        EXPECT_EQ(element.packet[layout.void_fraction(0)], 0.);
+        EXPECT_EQ(element.packet[layout.field(0, 0)], 1e-3); // a piece is not touched
+      }
+    EXPECT_NEAR(volume, 2. * std::numbers::pi * 0.6 * 0.02, 1e-14);
+    const auto before = sum_of(elements), after = sum_of(later);
+    EXPECT_NEAR(after.mass, before.mass, 1e-15);
+    EXPECT_NEAR(after.momentum[1], before.momentum[1], 1e-15);
+    EXPECT_NEAR(after.total_energy(), before.total_energy(), 1e-15);
+  }
+
+  TEST(WaitingDebris, PiecesOfTwoHandOversKeepApart)
+  {
+    const CellPacketLayout<2> layout = one_material();
+    Element<2>                piece  = rectangle(Symmetry::planar, 0., 0., 0.1, 0.1, 0., {{0., 0.5}}, 0.);
+    piece.piece                      = 0;
+    auto parts                       = begin_to_wait(layout, {}, {piece}, {}, 0.);
+    parts                            = begin_to_wait(layout, parts, {piece}, {}, 1.);
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_NE(parts[0].element.piece, parts[1].element.piece);
+    EXPECT_EQ(parts[0].since, 0.);
+    EXPECT_EQ(parts[1].since, 1.);
+  }
+} // namespace
