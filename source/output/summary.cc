@@ -33,7 +33,9 @@ namespace whipple::summary
               {"active_cells_max", stage.active_cells_max},
               {"finest_equivalent_cells", json::value(stage.finest_equivalent_cells)},
               {"elements", json::value(stage.elements)},
+              {"dropped_mass_g", json::value(stage.dropped_mass_g)},
               {"wall_s", json::value(stage.wall_s)},
+              {"cpu_s", json::value(stage.cpu_s)},
               {"cell_steps", json::value(stage.cell_steps)},
               {"cell_steps_per_s_per_rank", json::value(stage.cell_steps_per_s_per_rank)},
               {"dt_limits", json::Json(stage.dt_limits)}};

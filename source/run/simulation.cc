@@ -124,11 +124,16 @@ namespace whipple
   Simulation<dim>::measure(Look look)
   {
     const Domain<dim>     &domain = state_.domain;
-    const MeasureView<dim> view{problem_,          std::min(state_.books.stage, scene_.stages.size() - 1),
-                                domain.view->mesh, domain.state,
-                                domain.derived,    domain.communicator()};
+    const MeasureView<dim> view{problem_,
+                                std::min(state_.books.stage, scene_.stages.size() - 1),
+                                domain.view->mesh,
+                                domain.state,
+                                domain.derived,
+                                domain.communicator(),
+                                state_.books.watches};
     MeasureReport          report{state_.books.summary.results,
-                         [this](const std::string &line) { reporter_.log().warning(line); }};
+                         [this](const std::string &line) { reporter_.log().warning(line); },
+                         [this](const std::string &line) { reporter_.log().info(line); }};
     for (const auto &[key, entry] : MeasureRegistry<dim>::all())
       if (entry.measure)
         ((*entry.measure).*look)(view, report);

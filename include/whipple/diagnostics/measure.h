@@ -31,6 +31,8 @@ namespace whipple
     const State<dim>    &state;
     const Derived       &derived; ///< of this state, but for stage_begins()
     MPI_Comm             communicator;
+    /// What each watch remembers, by its name in the registry; nothing of those that have not begun.
+    const std::map<std::string, std::vector<double>> &memories;
 
     const Scene<dim>  &scene  = problem.scene;
     const FieldLayout &layout = problem.layout;
@@ -40,7 +42,8 @@ namespace whipple
   struct MeasureReport
   {
     std::map<std::string, ResultTable>                &results; ///< of the run so far, by place
-    const std::function<void(const std::string &line)> warn;    ///< one line of the log
+    const std::function<void(const std::string &line)> warn;    ///< a warning in the log
+    const std::function<void(const std::string &line)> log;     ///< one line of the log
   };
 
   /// Something that is worth a result. Every function is called on all ranks and may be collective; results are to be
@@ -125,7 +128,7 @@ namespace whipple
     struct Entry
     {
       std::shared_ptr<const Measure<dim>> measure; ///< null: it only watches
-      MakeWatch                           watch;   ///< empty: it never watches
+      MakeWatch                           watch;   ///< empty: it never watches; its memory is there for the measure
     };
     /// Place in the order, then name.
     using Key = std::pair<int, std::string>;
@@ -159,6 +162,12 @@ namespace whipple
     {
       MeasureRegistry<dim>::entries().emplace(std::pair(place, name),
                                               typename MeasureRegistry<dim>::Entry{std::move(measure), {}});
+    }
+    MeasureRegistration(int place, const std::string &name, std::shared_ptr<const Measure<dim>> measure,
+                        typename MeasureRegistry<dim>::MakeWatch watch)
+    {
+      MeasureRegistry<dim>::entries().emplace(
+          std::pair(place, name), typename MeasureRegistry<dim>::Entry{std::move(measure), std::move(watch)});
     }
     MeasureRegistration(int place, const std::string &name, typename MeasureRegistry<dim>::MakeWatch watch)
     {
