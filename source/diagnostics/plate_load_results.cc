@@ -91,10 +91,16 @@ namespace whipple
         const auto plate = loaded_plate(view.scene);
         if (!plate || !takes_load(view.scene, view.stage, *plate))
           return;
-        const std::string &name = view.scene.bodies[*plate].name;
-        const PlateLoad    load(view.memories.at(name_of_watch));
-        for (const auto &[quantity, value] : load_results(load_site(view.scene, *plate), load))
-          report.results[name][quantity] = value;
+        enter(view.scene, *plate, PlateLoad(view.memories.at(name_of_watch)), report);
+      }
+
+      /// A run may be over before anything flies on to the plate.
+      void
+      run_ends(const MeasureView<dim> &view, MeasureReport &report) const override
+      {
+        const auto plate = loaded_plate(view.scene);
+        if (plate && !report.results[view.scene.bodies[*plate].name].contains("impulse_g_cm_per_us"))
+          enter(view.scene, *plate, PlateLoad(load_site(view.scene, *plate).n_bins()), report);
       }
 
       void
@@ -105,6 +111,15 @@ namespace whipple
             const LoadSite site = load_site(problem.scene, *plate);
             results[problem.scene.bodies[*plate].name].merge(load_results(site, PlateLoad(site.n_bins())));
           }
+      }
+
+    private:
+      static void
+      enter(const Scene<dim> &scene, std::size_t plate, const PlateLoad &load, MeasureReport &report)
+      {
+        ResultTable &results = report.results[scene.bodies[plate].name];
+        for (const auto &[quantity, value] : load_results(load_site(scene, plate), load))
+          results[quantity] = value;
       }
     };
 
