@@ -110,8 +110,8 @@ namespace whipple::summary
   {
     std::string                                            scene;
     std::string                                            status = "completed"; ///< or "stopped"
-    std::optional<std::string>                             reason;               ///< why it stopped, or ended before its last stage
-    bool                                                   resumable = false;    ///< it was asked to, and can go on
+    std::optional<std::string>                             reason; ///< why it stopped, or ended before its last stage
+    bool                                                   resumable = false; ///< it was asked to, and can go on
     std::vector<Stage>                                     stages;
     Ledger                                                 ledger;
     std::map<std::string, std::map<std::string, Result>>   results;    ///< plate, gap or wall -> quantity -> value
