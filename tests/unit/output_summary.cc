@@ -80,6 +80,16 @@ namespace
     EXPECT_EQ(json["effects"]["voids"]["on"], true);
   }
 
+  TEST(Summary, ListsOfNumbersAreOneLine)
+  {
+    summary::Summary s = example();
+    s.scene            = "a \\ name [ 1,\n 2 ] with \" everything\\";
+    const auto text    = summary::to_json(s);
+    EXPECT_NE(text.find("\"edges_cm\": [0.0, 0.5, null]"), std::string::npos) << text;
+    EXPECT_EQ(Json::parse(text)["scene"], s.scene);
+    EXPECT_EQ(Json::parse(text)["stages"].size(), 1u);
+  }
+
   TEST(Summary, WhatDoesNotApplyIsNull)
   {
     summary::Summary s  = example();
