@@ -89,7 +89,7 @@ namespace
     for (std::size_t b = 0; b < impulse.size(); ++b)
       {
         EXPECT_NEAR(impulse[b], expected, 0.005 * expected) << b;
-        EXPECT_NEAR(energy[b], expected_energy, 0.01 * expected_energy) << b;
+        EXPECT_NEAR(energy[b], expected_energy, 0.005 * expected_energy) << b;
       }
     EXPECT_NEAR(std::get<double>(results.at("impulse_g_cm_per_us")), sum(impulse) * 0.08 / impulse.size(), 1e-14);
   }
