@@ -6,6 +6,7 @@ they are (deformed in Lagrangian stages), mirrored about the axis; and of each g
     --radiograph [--time T]  what a flash radiograph would show at a time (us), or at each written one
     --strip                  all stages side by side, what is solid drawn solid
     --figure NAME            figures of the paper of 1993: all | handovers | 2a ... 4 (doc/output.md)
+    --debris                 debris of each gap by angle and velocity, load on the last plate by radius
     --limit                  ballistic limit curve of the shield, with this shot and the tests near it
 
     scripts/plot_run.py DIR [--output FOLDER] [--every N] [--window R Z_MIN Z_MAX] [--planar] [one of the above]
@@ -25,6 +26,7 @@ from matplotlib.colors import LogNorm, Normalize
 
 import ballistic_limit
 import figures
+import plot_results
 import radiograph
 import run_fields
 import run_record
@@ -91,6 +93,7 @@ def main():
     what.add_argument("--radiograph", action="store_true", help="areal density seen from the side")
     what.add_argument("--strip", action="store_true", help="all stages side by side")
     what.add_argument("--figure", metavar="NAME", help="all | handovers | the name of one: 2a, 3f, 4 ...")
+    what.add_argument("--debris", action="store_true", help="debris by angle and velocity, load by radius")
     what.add_argument("--limit", action="store_true", help="ballistic limit curve with this shot and tests")
     arguments = parser.parse_args()
     arguments.output = arguments.output or os.path.join(arguments.directory, "pictures")
@@ -99,7 +102,7 @@ def main():
     times = run_fields.snapshots(arguments.directory)
     os.makedirs(arguments.output, exist_ok=True)
     try:
-        if not times and not (arguments.limit or os.path.isdir(os.path.join(arguments.directory, "gauges"))):
+        if not times and not (arguments.limit or arguments.debris or os.path.isdir(os.path.join(arguments.directory, "gauges"))):
             raise run_record.Unknown("has no fields (Output/Fields interval of the scene)")
         if arguments.radiograph:
             paths = radiographs(times, run_record.plates(values), arguments)
@@ -107,6 +110,8 @@ def main():
             paths = figures.strip(times, values, arguments.output, arguments.planar)
         elif arguments.figure:
             paths = figures.by_name(arguments.figure, times, values, arguments.output, arguments.planar)
+        elif arguments.debris:
+            paths = plot_results.pictures(run_record.summary(arguments.directory), arguments.output)
         elif arguments.limit:
             paths = ballistic_limit.picture(values, run_record.summary(arguments.directory), arguments.output)
         else:

@@ -23,6 +23,8 @@ for name in handover-1 handover-2 figure-2a figure-2b figure-2c figure-3; do
   [ -s "figures/$name.png" ] || { echo "no figure $name"; exit 1; }
 done
 [ "$(find figures -type f | wc -l)" -eq 6 ]
+plot full --debris >said.txt
+[ -s full/pictures/debris.png ] && [ -s full/pictures/load-wall.png ]
 plot full --limit >said.txt
 [ -s full/pictures/ballistic_limit.png ]
 refuses "has no figure '3f'; it has: all, handovers, 2a, 2b, 2c, 3" plot full --figure 3f
