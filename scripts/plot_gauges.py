@@ -33,8 +33,8 @@ def draw_gauge(path, picture):
 
 
 def draw_gauges(directory, folder):
-    """A picture of each gauge of a run, if it has any."""
+    """A picture of each gauge of a run, if it has any; yields their paths."""
     for path in sorted(glob.glob(os.path.join(glob.escape(directory), "gauges", "*.csv"))):
         picture = os.path.join(folder, "gauge-" + os.path.basename(path)[:-4] + ".png")
         draw_gauge(path, picture)
-        print(picture)
+        yield picture

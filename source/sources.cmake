@@ -179,13 +179,16 @@ set(WHIPPLE_DEALII
     source/command/mpirun.cc
     source/command/shape_reference.cc
     source/diagnostics/debris_measure.cc
+    source/diagnostics/debris_spectrum.cc
     source/diagnostics/exact_errors.cc
+    source/diagnostics/fragment_sizes.cc
     source/diagnostics/free_surface.cc
     source/diagnostics/measure.cc
     source/diagnostics/mesh_point.cc
     source/diagnostics/phase_measure.cc
     source/diagnostics/plate_cells.cc
     source/diagnostics/plate_image.cc
+    source/diagnostics/plate_load.cc
     source/diagnostics/plate_measure.cc
     source/diagnostics/plate_pieces.cc
     source/diagnostics/plate_surfaces.cc
@@ -301,10 +304,12 @@ set(WHIPPLE_DEALII
 # Measures: they register themselves and need what deal.II needs; linked whole as the first list is.
 set(WHIPPLE_MEASURES
     source/diagnostics/cloud_results.cc
+    source/diagnostics/debris_spectrum_results.cc
     source/diagnostics/fragment_results.cc
     source/diagnostics/gauges.cc
     source/diagnostics/gauges_section.cc
     source/diagnostics/phase_results.cc
+    source/diagnostics/plate_load_results.cc
     source/diagnostics/plate_results.cc
     source/diagnostics/shock_results.cc
 )

@@ -28,6 +28,7 @@ namespace whipple
                           {prefix + "radius_95_cm", measure.radius_95},
                           {prefix + "depth_95_cm", measure.depth_95},
                           {prefix + "cone_angle_deg", measure.cone_angle},
+                          {prefix + "cone_half_angle_deg", 0.5 * measure.cone_angle},
                           {prefix + "time_us", time}};
       if (inline_velocity)
         results[prefix + "inline_mass_velocity_cm_per_us"] = *inline_velocity;

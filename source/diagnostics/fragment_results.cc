@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Fragments at the end of every stage of a scene with the effect "fragment size"; null where nothing has broken.
-#include <whipple/diagnostics/phase_measure.h>
+#include <whipple/diagnostics/fragment_sizes.h>
 #include <whipple/diagnostics/stage_table.h>
 
 namespace whipple
@@ -8,18 +8,25 @@ namespace whipple
   namespace
   {
     ResultTable
-    fragment_results(std::optional<double> mean_size)
+    fragment_results(const std::optional<FragmentSizes> &sizes)
     {
-      return {{"mean_fragment_size_cm", mean_size ? summary::Result(*mean_size) : summary::Result()}};
+      const FragmentSizes s = sizes.value_or(FragmentSizes{});
+      ResultTable         results{{"mean_fragment_size_cm", s.mean_size}, {"fragment_number", s.number},
+                          {"unbroken_mass_g", s.unbroken_mass},   {"fragment_size_edges_cm", s.edges},
+                          {"mass_by_fragment_size_g", s.mass},    {"number_by_fragment_size", s.number_of_bin}};
+      if (!sizes)
+        for (auto &[quantity, value] : results)
+          value = std::monostate{};
+      return results;
     }
 
     const MeasureRegistration<2> registration(30, "fragments",
                                               std::make_shared<StageTable<2>>(
                                                   "fragment size",
                                                   [](const MeasureView<2> &view) {
-                                                    return fragment_results(mean_fragment_size(
+                                                    return fragment_results(measure_fragments(
                                                         view.layout, view.mesh, view.state, view.communicator));
                                                   },
-                                                  fragment_results(0.)));
+                                                  fragment_results(FragmentSizes{})));
   } // namespace
 } // namespace whipple

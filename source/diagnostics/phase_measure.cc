@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/phase_measure.h>
-#include <whipple/effect/effect.h>
-#include <whipple/ledger/exact_sum.h>
 #include <whipple/mesh/gather.h>
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace whipple
@@ -95,26 +92,6 @@ namespace whipple
   }
 
   template <int dim>
-  std::optional<double>
-  mean_fragment_size(const FieldLayout &layout, const FlatMesh<dim> &mesh, const State<dim> &state,
-                     MPI_Comm communicator)
-  {
-    const int share  = field_index(layout.fields, "fragmented share");
-    const int moment = field_index(layout.fields, "fragment size moment");
-    if (share < 0)
-      return std::nullopt;
-    std::array<ExactSum, 2> sums; // g broken, g cm
-    for (const MaterialState &m : state.material)
-      for (Index c = 0; c < mesh.n_owned; ++c)
-        {
-          sums[0].add(m.mass[c] * m.fields[share].value[c]);
-          sums[1].add(m.mass[c] * m.fields[moment].value[c]);
-        }
-    ExactSum::reduce(sums, communicator);
-    return sums[0].value() > 0 ? std::optional<double>(sums[1].value() / sums[0].value()) : std::nullopt;
-  }
-
-  template <int dim>
   std::vector<CellField>
   phase_fields(const FieldLayout &layout, const State<dim> &state, const std::vector<Index> &cells)
   {
@@ -138,8 +115,6 @@ namespace whipple
 
   template PhaseMeasure
   measure_phases(const FieldLayout &, const FlatMesh<2> &, const State<2> &, MPI_Comm);
-  template std::optional<double>
-  mean_fragment_size(const FieldLayout &, const FlatMesh<2> &, const State<2> &, MPI_Comm);
   template std::vector<CellField>
   phase_fields(const FieldLayout &, const State<2> &, const std::vector<Index> &);
 } // namespace whipple

@@ -29,6 +29,14 @@ namespace whipple::json
       {
         return text;
       }
+      Json
+      operator()(const std::vector<double> &numbers) const
+      {
+        Json list = Json::array();
+        for (const double number : numbers)
+          list.push_back(value(number));
+        return list;
+      }
     };
   } // namespace
 

@@ -2,7 +2,6 @@
 #include <whipple/output/json_value.h>
 #include <whipple/output/version.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -33,7 +32,9 @@ namespace whipple::summary
               {"active_cells_max", stage.active_cells_max},
               {"finest_equivalent_cells", json::value(stage.finest_equivalent_cells)},
               {"elements", json::value(stage.elements)},
+              {"dropped_mass_g", json::value(stage.dropped_mass_g)},
               {"wall_s", json::value(stage.wall_s)},
+              {"cpu_s", json::value(stage.cpu_s)},
               {"cell_steps", json::value(stage.cell_steps)},
               {"cell_steps_per_s_per_rank", json::value(stage.cell_steps_per_s_per_rank)},
               {"dt_limits", json::Json(stage.dt_limits)}};
@@ -128,6 +129,34 @@ namespace whipple::summary
         json[name] = {{"on", effect.on}, {"number", json::value(effect.number)}, {"reason", effect.reason}};
       return json;
     }
+
+    /// JSON text with each list of numbers on one line.
+    std::string
+    with_short_lists(const std::string &text)
+    {
+      std::string result;
+      bool        quoted = false;
+      for (std::size_t i = 0; i < text.size(); ++i)
+        {
+          const char  c   = text[i];
+          std::size_t end = i; // of what is taken over as it is
+          if (c == '"')
+            quoted = !quoted;
+          else if (quoted && c == '\\')
+            ++end;
+          else if (!quoted && c == '[')
+            if (const std::size_t next = text.find_first_of("]{[\"", i + 1); text[next] == ']')
+              {
+                for (; i < next; ++i)
+                  if (text[i] != '\n' && text[i] != ' ')
+                    result += text[i] == ',' ? std::string(", ") : std::string(1, text[i]);
+                end = i;
+              }
+          result.append(text, i, end - i + 1);
+          i = end;
+        }
+      return result;
+    }
   } // namespace
 
   std::string
@@ -164,7 +193,7 @@ namespace whipple::summary
                                         {"warnings", counts.warnings},
                                         {"events", json_of(counts.events)}}}};
     // names come from scene files: what is not UTF-8 in them must not cost a finished run its summary
-    return json.dump(2, ' ', false, json::Json::error_handler_t::replace) + '\n';
+    return with_short_lists(json.dump(2, ' ', false, json::Json::error_handler_t::replace)) + '\n';
   }
 
   void

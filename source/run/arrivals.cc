@@ -310,7 +310,7 @@ namespace whipple
         if (part.element.piece >= 0)
           return true;
         const CornerVectors<2> x = at(part, time_), u = corner_velocities_of(layout_, part);
-        const double         least = least_volume(scene_.lattice.symmetry, x, u, ahead);
+        const double           least = least_volume(scene_.lattice.symmetry, x, u, ahead);
         if (!(least > 0) || !keeps_shape(x, u, ahead))
           return false;
         const double growth = least / cell_volume<2>(scene_.lattice.symmetry, part.element.position);
@@ -370,8 +370,8 @@ namespace whipple
       {
         const CornerVectors<2> x       = corners_at(scene.lattice.symmetry, layout, part, state.time);
         const CornerVectors<2> u       = corner_velocities_of(layout, part);
-        const double         rear    = *std::min_element(x[flight_axis<dim>].begin(), x[flight_axis<dim>].end());
-        const double         slowest = *std::min_element(u[flight_axis<dim>].begin(), u[flight_axis<dim>].end());
+        const double           rear    = *std::min_element(x[flight_axis<2>].begin(), x[flight_axis<2>].end());
+        const double           slowest = *std::min_element(u[flight_axis<2>].begin(), u[flight_axis<2>].end());
         moves.push_back(slowest > 0);
         time.push_back(slowest > 0 ? std::max(plane + cell - rear, cell) / slowest : cell / waiting.fastest);
       }
@@ -396,11 +396,11 @@ namespace whipple
         if (!(w > std::max(velocity, 0.)))
           continue;
         const CornerVectors<2> x    = corners_at(scene.lattice.symmetry, layout, part, time);
-        const double         z    = 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]);
-        const double         r    = 0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]);
-        const double         then = r + u * (face - z) / w;
+        const double           z    = 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]);
+        const double           r    = 0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]);
+        const double           then = r + u * (face - z) / w;
         if (z < face && then > inner && then < outer)
-          sum += totals.momentum[flight_axis<dim>];
+          sum += totals.momentum[flight_axis<2>];
       }
     return sum;
   }

@@ -35,6 +35,8 @@ namespace nlohmann
         j = *verdict;
       else if (const std::string *text = std::get_if<std::string>(&result))
         j = *text;
+      else if (const auto *numbers = std::get_if<std::vector<double>>(&result))
+        j = *numbers;
       else
         j = nullptr;
     }
@@ -47,6 +49,8 @@ namespace nlohmann
         result = j.get<double>();
       else if (j.is_string())
         result = j.get<std::string>();
+      else if (j.is_array())
+        result = j.get<std::vector<double>>();
       else
         result = std::monostate{};
     }
@@ -115,8 +119,8 @@ namespace whipple
   namespace summary
   {
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stage, name, mode, start_us, end_us, steps, active_cells_max,
-                                       finest_equivalent_cells, elements, wall_s, cell_steps, cell_steps_per_s_per_rank,
-                                       dt_limits)
+                                       finest_equivalent_cells, elements, dropped_mass_g, wall_s, cpu_s, cell_steps,
+                                       cell_steps_per_s_per_rank, dt_limits)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, retries, releases, breaks, rezones, warnings, events)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Performance, wall_s, cpu_s, peak_rss_bytes, ranks, active_cell_steps)

@@ -41,7 +41,7 @@ namespace whipple
     stress_fields(const State<dim> &state)
     {
       std::vector<int> fields;
-      for (const int field : {state.index.stress_00, state.index.stress_11, state.index.stress_01})
+      for (const int field : state.index.stress)
         if (field >= 0)
           fields.push_back(field);
       return fields;
@@ -155,7 +155,7 @@ namespace whipple
                                                                   domain.state, *criteria.plane, domain.communicator())
                                                    : std::vector<std::uint8_t>(waiting->parts.size(), 1);
     const auto                      judge    = [&](const Waiting<dim> &part, bool through) {
-      const CornerVectors<2>       x     = corners_at(symmetry, layout, part, time);
+      const CornerVectors<2>     x     = corners_at(symmetry, layout, part, time);
       const ConservedTotals<dim> holds = totals_of(layout, part.element);
       if (!through && 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]) < *criteria.plane)
         return Verdict::not_debris;
@@ -173,7 +173,7 @@ namespace whipple
         (verdict == Verdict::kept ? kept : dropped[verdict]).push_back(part);
       }
     for (const auto &[verdict, parts] : dropped)
-      ledger.drop(std::string(name(verdict)), totals(layout, parts));
+      ledger.enter(std::string(name(verdict)), {.dropped = totals(layout, parts)});
     waiting = waiting_of(layout, std::move(kept));
   }
 

@@ -119,8 +119,8 @@ namespace whipple
     const Domain<dim> &domain = run.domain;
     for (const Watching &w : watching_)
       {
-        const MeasureView<dim> view{problem_,       run.books.stage,       domain.view->mesh,      domain.state,
-                                    domain.derived, domain.communicator(), run.books.waiting.get()};
+        const MeasureView<dim> view{problem_,       run.books.stage,       domain.view->mesh,       domain.state,
+                                    domain.derived, domain.communicator(), run.books.waiting.get(), run.books.watches};
         call(*w.watch, view, run.books.watches[w.name], [&w](std::size_t table, const std::vector<double> &row) {
           std::vector<TableEntry> entries;
           for (std::size_t i = 0; i < row.size(); ++i)

@@ -131,9 +131,11 @@ namespace whipple
                                 domain.state,
                                 domain.derived,
                                 domain.communicator(),
-                                state_.books.waiting.get()};
+                                state_.books.waiting.get(),
+                                state_.books.watches};
     MeasureReport          report{state_.books.summary.results,
-                         [this](const std::string &line) { reporter_.log().warning(line); }};
+                         [this](const std::string &line) { reporter_.log().warning(line); },
+                         [this](const std::string &line) { reporter_.log().info(line); }};
     for (const auto &[key, entry] : MeasureRegistry<dim>::all())
       if (entry.measure)
         ((*entry.measure).*look)(view, report);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/mesh/collective.h>
+#include <whipple/output/process_use.h>
 #include <whipple/run/arrivals.h>
 #include <whipple/run/rigid_walls.h>
 #include <whipple/run/run_view.h>
@@ -295,9 +296,24 @@ namespace whipple
         progress.ceiling = std::numeric_limits<double>::infinity();
       }
     run_.record().wall_s               = MPI_Wtime() - wall_start_;
+    run_.record().cpu_s                = process_use(run_.domain.communicator()).cpu_s - cpu_start_;
     run_.books.summary.counts.warnings = news_.log().warnings();
     news_.steps_stand(run_.books);
     last_good_.keep(run_);
+  }
+
+  template <int dim>
+  double
+  StageLoop<dim>::dropped_mass() const
+  {
+    double mass = 0;
+    for (const auto &[cause, booking] : run_.books.ledger.bookings().by_cause())
+      if (booking.dropped)
+        mass += booking.dropped->mass;
+    const auto &stages = run_.books.summary.stages;
+    for (auto stage = stages.begin(); stage + 1 != stages.end(); ++stage)
+      mass -= stage->dropped_mass_g;
+    return std::max(mass, 0.); // where nothing was, not the round-off of the sum
   }
 
   template <int dim>
@@ -307,6 +323,8 @@ namespace whipple
     summary::Stage &record = run_.record();
     record.end_us          = run_.domain.state.time;
     record.wall_s          = MPI_Wtime() - wall_start_;
+    record.cpu_s           = process_use(run_.domain.communicator()).cpu_s - cpu_start_;
+    record.dropped_mass_g  = dropped_mass();
     int ranks              = 1;
     MPI_Comm_size(run_.domain.communicator(), &ranks);
     if (record.wall_s > 0)
@@ -358,12 +376,14 @@ namespace whipple
     if (run_.books.progress.begun)
       {
         wall_start_ = MPI_Wtime() - run_.record().wall_s;
+        cpu_start_  = process_use(run_.domain.communicator()).cpu_s - run_.record().cpu_s;
         use_mesh();
         cycle_->evaluate(run_.domain.state, run_.domain.derived);
       }
     else
       {
         wall_start_ = MPI_Wtime();
+        cpu_start_  = process_use(run_.domain.communicator()).cpu_s;
         begin();
       }
     StageEnd::Left left{};

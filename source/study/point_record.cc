@@ -85,6 +85,13 @@ namespace whipple
         return json.get<double>();
       if (json.is_string())
         return json.get<std::string>();
+      if (json.is_array())
+        {
+          std::vector<double> numbers;
+          for (const Json &number : json)
+            numbers.push_back(value(number));
+          return numbers;
+        }
       return std::monostate{};
     }
 

@@ -54,6 +54,15 @@ namespace whipple::report
       {
         return quoted(value);
       }
+      /// Numbers with spaces between them.
+      std::string
+      operator()(const std::vector<double> &values) const
+      {
+        std::string text;
+        for (const double value : values)
+          text += (text.empty() ? "" : " ") + cell(value);
+        return text;
+      }
     };
 
     using Names = std::set<std::pair<std::string, std::string>>;

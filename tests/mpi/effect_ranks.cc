@@ -179,7 +179,8 @@ namespace
       , regridding(scene, layout)
       , domain{Forest<2>(MPI_COMM_WORLD, scene.lattice), nullptr, {}}
     {
-      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger);
+      SharedDebris<2> waiting;
+      Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
       cycle.emplace(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo);
       cycle->refresh(domain.state, domain.derived);
       ledger.check(present(), "start", 1.);

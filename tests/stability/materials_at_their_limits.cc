@@ -214,11 +214,14 @@ namespace
   /// sound speed grows as 1/gamma, and a run would go on with ever smaller steps.
   TEST(QuickClock, ALawWithoutAVacuum)
   {
-    Case      table("hot lead by the linear polynomial, in an empty box", "steps get smaller without a word", "eulerian");
+    Case table("hot lead by the linear polynomial, in an empty box", "steps get smaller without a word", "eulerian");
     SceneText scene = box("planar", 0, 0, 0.1, 6, 0.05, "reflecting");
     scene.set("Effects/List", "voids")
         .add("Materials", "lead",
-             {{"Library", "lead"}, {"Equation of state", "linear polynomial"}, {"Void law", "rate"}, {"Alpha", "1 us/cm^2"}});
+             {{"Library", "lead"},
+              {"Equation of state", "linear polynomial"},
+              {"Void law", "rate"},
+              {"Alpha", "1 us/cm^2"}});
     Entries body = block(0, 0, 0.1, 0.1, "lead");
     body.push_back({"Specific energy", "5 MJ/kg"});
     scene.add("Bodies", "block", body).add("Stages", "s", {{"Mode", "eulerian"}, {"End", "1000 us"}});

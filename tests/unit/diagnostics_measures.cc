@@ -21,8 +21,9 @@ namespace
         names.push_back(key.second);
         EXPECT_TRUE(entry.measure || entry.watch) << key.second;
       }
-    EXPECT_EQ(names, (std::vector<std::string>{"debris cloud", "phases", "fragments", "plates", "gauges",
-                                               "shock of the exact solution"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"debris cloud", "phases", "fragments", "debris by angle and velocity", "plates",
+                                        "load on the last plate", "gauges", "shock of the exact solution"}));
   }
 
   std::vector<std::string>

@@ -39,7 +39,8 @@ namespace
     s.ledger.energy.extra           = {{"kinetic", 0.01}, {"plastic_work", 1e-4}};
     s.ledger.bodies["sphere"]       = {{"mass_g", 0.0463}};
     s.results["bumper"]             = {{"hole_diameter_cm", 0.648}, {"perforated", true}};
-    s.results["wall"]               = {{"hole_diameter_cm", std::monostate{}}};
+    s.results["wall"]               = {{"hole_diameter_cm", std::monostate{}},
+                                       {"edges_cm", std::vector<double>{0., 0.5, std::numeric_limits<double>::infinity()}}};
     s.effects["voids"]              = {true, 12.5, "shock reverberation exceeds spall strength"};
     s.performance.ranks             = 2;
     s.performance.active_cell_steps = 1.4e7;
@@ -75,7 +76,18 @@ namespace
     EXPECT_EQ(json["ledger"]["bodies"]["sphere"]["mass_g"], 0.0463);
     EXPECT_EQ(json["results"]["bumper"]["hole_diameter_cm"], 0.648);
     EXPECT_EQ(json["results"]["bumper"]["perforated"], true);
+    EXPECT_EQ(json["results"]["wall"]["edges_cm"], Json({0., 0.5, nullptr}));
     EXPECT_EQ(json["effects"]["voids"]["on"], true);
+  }
+
+  TEST(Summary, ListsOfNumbersAreOneLine)
+  {
+    summary::Summary s = example();
+    s.scene            = "a \\ name [ 1,\n 2 ] with \" everything\\";
+    const auto text    = summary::to_json(s);
+    EXPECT_NE(text.find("\"edges_cm\": [0.0, 0.5, null]"), std::string::npos) << text;
+    EXPECT_EQ(Json::parse(text)["scene"], s.scene);
+    EXPECT_EQ(Json::parse(text)["stages"].size(), 1u);
   }
 
   TEST(Summary, WhatDoesNotApplyIsNull)

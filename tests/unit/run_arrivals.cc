@@ -231,7 +231,12 @@ namespace
 
   TEST(Arrivals, AStageWithoutElementsBeforeItHasNone)
   {
-    const auto read = [](const std::string &list) {
+    const auto stage = [](const std::string &list, const std::string &name, const std::string &entries) {
+      return list.find(name) == std::string::npos
+                 ? std::string()
+                 : " subsection " + name + '\n' + entries + " set End = for 1 us\n end\n";
+    };
+    const auto read = [&](const std::string &list) {
       const std::string path = testing::TempDir() + "whipple_arrivals_refused.prm";
       std::ofstream(path)
           << "subsection Geometry\n set Lower corner = 0 cm, 0 cm\n set Upper corner = 0.8 cm, 0.8 cm\nend\n"
@@ -243,11 +248,10 @@ namespace
              " set Lower corner = 0.2 cm, 0.2 cm\n set Upper corner = 0.4 cm, 0.4 cm\n"
              " set Velocity = 0 km/s, 1 km/s\n set Material = al\n end\nend\n"
              "subsection Stages\n set List = "
-          << list
-          << "\n subsection a\n set Mode = eulerian\n set End = for 1 us\n end\n"
-             " subsection b\n set Mode = lagrangian\n set End = for 1 us\n end\n"
-             " subsection c\n set Mode = eulerian\n set End = for 1 us\n set Hand-over = as it arrives\n end\n"
-             " subsection d\n set Mode = lagrangian\n set End = for 1 us\n set Hand-over = as it arrives\n end\nend\n";
+          << list << '\n'
+          << stage(list, "a", " set Mode = eulerian\n") << stage(list, "b", " set Mode = lagrangian\n")
+          << stage(list, "c", " set Mode = eulerian\n set Hand-over = as it arrives\n")
+          << stage(list, "d", " set Mode = lagrangian\n set Hand-over = as it arrives\n") << "end\n";
       const auto problem = read_problem<2>(path);
       std::remove(path.c_str());
       return problem.scene.stages.back().landing;

@@ -59,7 +59,11 @@ namespace
     stage.finest_equivalent_cells     = 12;
     stage.dt_limits["sound"]          = 9;
     books.summary.stages              = {stage};
-    books.summary.results["wall"]     = {{"hole", 0.1}, {"perforated", true}, {"word", std::string("w")}, {"none", {}}};
+    books.summary.results["wall"]     = {{"hole", 0.1},
+                                         {"perforated", true},
+                                         {"word", std::string("w")},
+                                         {"list", std::vector<double>{1. / 3., 0x1p-1060}},
+                                         {"none", {}}};
     books.summary.counts.breaks       = 11;
     books.summary.counts.events["e"]  = {1., 0.7, "g"};
     books.summary.performance.cpu_s   = 0.7;

@@ -236,10 +236,10 @@ namespace
   TEST(StageEnd, DebrisDoesNotFlyPastTheNextBody)
   {
     FakeStage stage;
-    stage.tau = 4.;
+    stage.tau_of_arrival = 4.;
     EXPECT_NEAR(run(*read("until debris is free of bumper"), stage, 0.005), 3.84, 0.03);
-    stage.tau        = 8.; // half is through at 5.65 us only: the next look after that
-    const double end = run(*read("until debris is free of bumper"), stage, 0.005);
+    stage.tau_of_arrival = 8.; // half is through at 5.65 us only: the next look after that
+    const double end     = run(*read("until debris is free of bumper"), stage, 0.005);
     EXPECT_GE(end, 5.64);
     EXPECT_LE(end, 5.65 * 1.1);
   }

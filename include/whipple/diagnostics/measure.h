@@ -34,6 +34,8 @@ namespace whipple
     const Derived            &derived; ///< of this state, but for stage_begins()
     MPI_Comm                  communicator;
     const WaitingDebris<dim> *waiting; ///< debris on its way that is not in the state; null: nothing
+    /// What each watch remembers, by its name in the registry; nothing of those that have not begun.
+    const std::map<std::string, std::vector<double>> &memories;
 
     const Scene<dim>  &scene  = problem.scene;
     const FieldLayout &layout = problem.layout;
@@ -43,7 +45,8 @@ namespace whipple
   struct MeasureReport
   {
     std::map<std::string, ResultTable>                &results; ///< of the run so far, by place
-    const std::function<void(const std::string &line)> warn;    ///< one line of the log
+    const std::function<void(const std::string &line)> warn;    ///< a warning in the log
+    const std::function<void(const std::string &line)> log;     ///< one line of the log
   };
 
   /// Something that is worth a result. Every function is called on all ranks and may be collective; results are to be
@@ -63,7 +66,8 @@ namespace whipple
     stage_ends(const MeasureView<dim> &, MeasureReport &) const
     {
     }
-    /// The plates of a stage that has ended have been followed further, in a copy of the state (Stage::plates_measured).
+    /// The plates of a stage that has ended have been followed further, in a copy of the state
+    /// (Stage::plates_measured).
     virtual void
     plates_have_settled(const MeasureView<dim> &, MeasureReport &) const
     {
@@ -141,6 +145,11 @@ namespace whipple
     /// @param place in the order of all measures
     MeasureRegistration(int place, const std::string &name, std::shared_ptr<const Measure<dim>> measure)
       : registered_({place, name}, {std::move(measure), {}})
+    {
+    }
+    MeasureRegistration(int place, const std::string &name, std::shared_ptr<const Measure<dim>> measure,
+                        typename MeasureKind<dim>::MakeWatch watch)
+      : registered_({place, name}, {std::move(measure), std::move(watch)})
     {
     }
     MeasureRegistration(int place, const std::string &name, typename MeasureKind<dim>::MakeWatch watch)

@@ -7,7 +7,6 @@
 
 #include <mpi.h>
 
-#include <optional>
 #include <vector>
 
 namespace whipple
@@ -26,13 +25,6 @@ namespace whipple
   template <int dim>
   PhaseMeasure
   measure_phases(const FieldLayout &layout, const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator);
-
-  /// Mean size by mass of the fragments [cm] of what has broken (effect "fragment size"), none if nothing has.
-  /// Collective.
-  template <int dim>
-  std::optional<double>
-  mean_fragment_size(const FieldLayout &layout, const FlatMesh<dim> &mesh, const State<dim> &state,
-                     MPI_Comm communicator);
 
   /// Temperature, melt and vapour fraction of every material that melts, for field files.
   template <int dim>

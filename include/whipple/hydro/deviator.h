@@ -40,6 +40,13 @@ namespace whipple
       return component[axis];
     }
 
+    /// s_01.
+    Number
+    shear() const
+    {
+      return component[2];
+    }
+
     /// Turned with the material by the exact rotation that belongs to a spin at mid step: tan(angle / 2) = spin dt / 2.
     /// @param spin w = (dv_1/dx_0 - dv_0/dx_1) / 2, 1/us
     Deviator

@@ -21,7 +21,7 @@ namespace whipple::json
   Json
   value(const std::optional<long> &number);
 
-  /// A number or a verdict; null where it does not apply.
+  /// A number, a verdict or a list of numbers; null where it does not apply.
   Json
   value(const summary::Result &result);
 } // namespace whipple::json

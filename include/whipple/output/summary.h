@@ -25,8 +25,10 @@ namespace whipple::summary
     long                        active_cells_max = 0;
     std::optional<long>         finest_equivalent_cells; ///< cells of a uniform mesh of the finest size
     std::optional<long>         elements;                ///< Lagrangian stages only
-    double                      wall_s     = 0;
-    double                      cell_steps = 0;
+    double                      dropped_mass_g = 0;      ///< at its hand-over and in it
+    double                      wall_s         = 0;
+    double                      cpu_s          = 0; ///< of all ranks
+    double                      cell_steps     = 0;
     Number                      cell_steps_per_s_per_rank;
     std::map<std::string, long> dt_limits; ///< reason -> number of steps
   };
@@ -50,8 +52,9 @@ namespace whipple::summary
     std::map<std::string, std::map<std::string, double>> bodies;         ///< body -> quantity with unit -> value
   };
 
-  /// One measured result: a number or a verdict; null where it does not apply.
-  using Result = std::variant<std::monostate, double, bool, std::string>;
+  /// One measured result: a number, a verdict, a list of numbers (edges and contents of bins); null where it does not
+  /// apply.
+  using Result = std::variant<std::monostate, double, bool, std::string, std::vector<double>>;
 
   struct Error
   {
@@ -107,8 +110,8 @@ namespace whipple::summary
   {
     std::string                                            scene;
     std::string                                            status = "completed"; ///< or "stopped"
-    std::optional<std::string>                             reason;               ///< why it stopped, or ended before its last stage
-    bool                                                   resumable = false;    ///< it was asked to, and can go on
+    std::optional<std::string>                             reason; ///< why it stopped, or ended before its last stage
+    bool                                                   resumable = false; ///< it was asked to, and can go on
     std::vector<Stage>                                     stages;
     Ledger                                                 ledger;
     std::map<std::string, std::map<std::string, Result>>   results;    ///< plate, gap or wall -> quantity -> value

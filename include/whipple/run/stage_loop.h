@@ -121,6 +121,9 @@ namespace whipple
     stop_if_collapsed();
     void
     close_record();
+    /// By all causes since the stages before ended, g.
+    double
+    dropped_mass() const;
     /// Compare the books with what is present. @throws ConservationError
     void
     check(const std::string &event);
@@ -151,5 +154,6 @@ namespace whipple
     AgreedTimeStep limit_{};        ///< of the present step
     double         tried_dt_   = 0; ///< us; the present step
     double         wall_start_ = 0; ///< s
+    double         cpu_start_  = 0; ///< s, of all ranks
   };
 } // namespace whipple

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The virtual flash radiograph: areal density of the elements of a run, seen from the side.
+
+Axisymmetric: along a line at the distance x from the axis, in the plane of height z, a disc of radius r is
+L(r, x) = 2 (r^2 - x^2)^(1/2) long (r > x), and an element at the height z is the difference of two discs. So by Green's
+theorem the areal density of elements of density rho is the sum over their edges, taken counter-clockwise,
+
+    a(x, z) = sum rho L(r(z), x) sign(dz)                    g/cm^2
+
+Each pixel holds the mean over its width and height. Over x it is exact: int L dx = x (r^2 - x^2)^(1/2) + r^2 asin(x / r).
+Over the height of a row an edge has one radius, the one with its mean r^2, so that the mass in a picture is exact, whatever
+the shape of the elements. Planar: the mean density, per cm of depth. Needs python3-matplotlib.
+"""
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LogNorm
+
+from run_fields import window_of
+
+EDGES_AT_A_TIME = 20000
+PIXELS = 400  # along the longer side of a picture
+
+
+def disc_integral(r, x):
+    """Integral of L(r, .) from 0 to x, for arrays r (n, 1) and x (1, m), x >= 0."""
+    inside = np.minimum(x, r)
+    return inside * np.sqrt(np.maximum(r * r - inside * inside, 0.0)) + r * r * np.arcsin(
+        np.divide(inside, r, out=np.zeros_like(inside), where=r > 0))
+
+
+def strip_integral(r, x):
+    """The same of what is left of r in planar geometry: 1 up to r."""
+    return np.minimum(x, r)
+
+
+def pieces(corners, density, z_edges, planar):
+    """Edges cut at the rows of the picture: row, radius, and density times the signed share of the row's height."""
+    corners = np.array(corners, dtype=float)
+    if not planar:
+        corners[..., 0] = np.abs(corners[..., 0])  # what has crossed the axis is on its other side, the same ring
+    ahead = np.roll(corners, -1, axis=1)
+    turn = np.sign((corners[..., 0] * ahead[..., 1] - ahead[..., 0] * corners[..., 1]).sum(axis=1))
+    weight = np.repeat(np.asarray(density, dtype=float) * turn, 4)
+    start, end = corners.reshape(-1, 2), ahead.reshape(-1, 2)
+    height = z_edges[1] - z_edges[0]
+    low, high = np.minimum(start[:, 1], end[:, 1]), np.maximum(start[:, 1], end[:, 1])
+    first = np.clip(np.floor((low - z_edges[0]) / height).astype(int), 0, len(z_edges) - 2)
+    last = np.clip(np.ceil((high - z_edges[0]) / height).astype(int), first + 1, len(z_edges) - 1)
+    counts = np.where(high > low, last - first, 0)
+    edge = np.repeat(np.arange(len(start)), counts)
+    row = np.repeat(first, counts) + np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+
+    def share(z):
+        return (np.clip(z, z_edges[row], z_edges[row + 1]) - start[edge, 1]) / (end[edge, 1] - start[edge, 1])
+
+    s, t = share(start[edge, 1]), share(end[edge, 1])
+    a = start[edge, 0] + s * (end[edge, 0] - start[edge, 0])
+    b = start[edge, 0] + t * (end[edge, 0] - start[edge, 0])
+    radius = 0.5 * (a + b) if planar else np.sqrt((a * a + a * b + b * b) / 3.0)
+    return row, radius, weight[edge] * (t - s) * (end[edge, 1] - start[edge, 1]) / height
+
+
+def areal_density(corners, density, x_edges, z_edges, planar=False):
+    """Means over the pixels between equal x_edges and z_edges (cm), [rows, columns], of elements with these corners
+    (n, 4, 2: r, z) and densities (g/cm^3). In g/cm^2; planar: g/cm^2 per cm of depth. Axisymmetric pictures show one half,
+    x >= 0, a planar one what is right of its first edge."""
+    x_edges, z_edges = np.asarray(x_edges, dtype=float), np.asarray(z_edges, dtype=float)
+    image = np.zeros((len(z_edges) - 1, len(x_edges) - 1))
+    row, radius, weight = pieces(corners, density, z_edges, planar)
+    integral = strip_integral if planar else disc_integral
+    for begin in range(0, len(row), EDGES_AT_A_TIME):
+        part = slice(begin, begin + EDGES_AT_A_TIME)
+        columns = np.diff(integral(radius[part, None], x_edges[None, :]), axis=1)
+        np.add.at(image, row[part], weight[part, None] * columns)
+    return np.maximum(image, 0.0) / np.diff(x_edges)  # round-off of what cancels may leave less than nothing
+
+
+def seen(corners, plates):
+    """r_max, z_min, z_max: all heights, and the radius of what is not beside a plate; there plates may be wider."""
+    r_max, z_min, z_max = window_of(corners)
+    apart = np.ones(len(corners), dtype=bool)
+    for _, front, thickness in plates:
+        apart &= (corners[..., 1].max(axis=1) < front - thickness) | (corners[..., 1].min(axis=1) > front + 2.0 * thickness)
+    if apart.any():
+        r_max = min(r_max, 1.2 * corners[apart][..., 0].max())
+    return r_max, z_min, z_max
+
+
+def picture(snapshot, path, window, plates, planar):
+    """A radiograph of one written time: dark is dense; over five powers of ten."""
+    r_max, z_min, z_max = window or seen(snapshot.corners, plates)
+    size = max(z_max - z_min, r_max if planar else 2.0 * r_max) / PIXELS
+    columns, rows = int(np.ceil(r_max / size)), int(np.ceil((z_max - z_min) / size))
+    x_edges, z_edges = size * np.arange(columns + 1), z_min + size * np.arange(rows + 1)
+    image = areal_density(snapshot.corners, snapshot.fields["density"], x_edges, z_edges, planar)
+    if not planar:
+        image = np.hstack([image[:, ::-1], image])
+    densest = image.max() or 1.0
+    height = 7.0
+    width = np.clip(height * image.shape[1] / image.shape[0], 3.0, 14.0)
+    figure, axes = plt.subplots(figsize=(width + 2.0, height), layout="constrained")
+    shown = axes.imshow(np.maximum(image, 1e-12), origin="lower", cmap="gray_r", norm=LogNorm(1e-5 * densest, densest),
+                        extent=(0.0 if planar else -x_edges[-1], x_edges[-1], z_edges[0], z_edges[-1]), aspect="equal")
+    label = "areal density, g/cm$^2$" + (" per cm of depth" if planar else "")
+    figure.colorbar(shown, ax=axes, label=label, shrink=0.8)
+    axes.set(xlabel="x, cm", ylabel="y, cm" if planar else "z, cm")
+    axes.set_title(f"radiograph, {snapshot.stage}, t = {snapshot.time:.3f} us")
+    figure.savefig(path, dpi=130, bbox_inches="tight")
+    plt.close(figure)
