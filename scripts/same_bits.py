@@ -16,7 +16,7 @@ import json
 import os
 import sys
 
-NOT_OF_THE_RESULT = {"program", "performance", "wall_s", "cell_steps_per_s_per_rank"}
+NOT_OF_THE_RESULT = {"program", "performance", "wall_s", "cpu_s", "cell_steps_per_s_per_rank"}
 COLUMNS_ON_ANY_RANKS = 9
 
 

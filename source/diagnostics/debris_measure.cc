@@ -70,7 +70,7 @@ namespace whipple
     {
       for (const Waiting<dim> &part : waiting.parts)
         {
-          const CornerVectors<2>       x      = corners_at(symmetry, layout, part, time);
+          const CornerVectors<2>     x      = corners_at(symmetry, layout, part, time);
           const ConservedTotals<dim> totals = totals_of(layout, part.element);
           Parcel                     p{totals.mass, 0., 0., totals.momentum[1] / totals.mass};
           for (int k = 0; k < 4; ++k)

@@ -29,9 +29,9 @@ namespace whipple
     shrinking(Symmetry symmetry, const Waiting<2> &part, double radial_way)
     {
       const double r = part.centre[0];
-      return symmetry == Symmetry::axisymmetric && radial_way != 0 && r > 0 && r + radial_way > 0 ?
-                 std::sqrt(r / (r + radial_way)) :
-                 1.;
+      return symmetry == Symmetry::axisymmetric && radial_way != 0 && r > 0 && r + radial_way > 0
+                 ? std::sqrt(r / (r + radial_way))
+                 : 1.;
     }
 
     double
@@ -137,7 +137,7 @@ namespace whipple
   CornerVectors<2>
   corners_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
   {
-    const double         dt = time - part.since;
+    const double           dt = time - part.since;
     const CornerVectors<2> u  = corner_velocities_of(layout, part);
     CornerVectors<2>       x  = part.element.position;
     if (part.element.piece < 0)

@@ -69,8 +69,9 @@ namespace whipple
   SceneParameters::print(const std::function<bool(const std::string &section)> &keep) const
   {
     std::stringstream all;
-    handler_->print_parameters(all, dealii::ParameterHandler::OutputStyle(
-                                       dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder));
+    handler_->print_parameters(all,
+                               dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
+                                                                     dealii::ParameterHandler::KeepDeclarationOrder));
     std::string              text;
     std::vector<std::string> path;
     std::size_t              dropped_at = 0; // depth of the section that is left out; 0: none

@@ -73,7 +73,7 @@ namespace
     const Regridding<2> regridding(scene, layout);
     Domain<2>           domain{Forest<2>(MPI_COMM_WORLD, scene.lattice), nullptr, {}};
     Ledger<2>           ledger;
-    SharedDebris<2> waiting;
+    SharedDebris<2>     waiting;
     Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
     scene.effects.push_back(effect);
     Cycle<2> cycle(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo);

@@ -30,7 +30,7 @@ namespace
     const Regridding<2> regridding(scene, layout);
     Domain<2>           domain{Forest<2>(communicator, scene.lattice), nullptr, {}};
     Ledger<2>           ledger;
-    SharedDebris<2> waiting;
+    SharedDebris<2>     waiting;
     Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
     LagrangeStep<2>(domain.view->mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
         .evaluate(domain.state, domain.derived);

@@ -48,7 +48,7 @@ namespace
     const Regridding<2> regridding(scene, layout);
     Domain<2>           domain{Forest<2>(communicator, scene.lattice), nullptr, {}};
     Ledger<2>           ledger;
-    SharedDebris<2> waiting;
+    SharedDebris<2>     waiting;
     Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
     const FlatMesh<2> &mesh = domain.view->mesh;
     for (Index c = 0; c < mesh.n_cells; ++c)

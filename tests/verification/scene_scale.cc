@@ -53,8 +53,10 @@ namespace
       for (const auto &[name, value] : quantities)
         if (const double *number = std::get_if<double>(&value))
           {
-            const auto ends = [&](const char *unit) { return name.ends_with(unit); };
-            const int power = ends("_g_cm_per_us") || ends("_g") ? 3 : ends("_per_us") ? 0 : ends("_cm") || ends("_us");
+            const auto ends            = [&](const char *unit) { return name.ends_with(unit); };
+            const int  power           = ends("_g_cm_per_us") || ends("_g") || ends("_Mbar_cm3") ? 3
+                                         : ends("_per_us")                                       ? 0
+                                                           : ends("_cm") || ends("_us");
             result[place + ' ' + name] = *number / std::pow(size, power);
           }
     const auto present = totals(simulation.domain().view->mesh, simulation.domain().state, MPI_COMM_SELF);

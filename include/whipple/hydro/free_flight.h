@@ -3,8 +3,8 @@
 
 #include <whipple/hydro/fragment_release.h>
 #include <whipple/mesh/boundary.h>
-#include <whipple/mesh/flat_mesh.h>
 #include <whipple/mesh/cell_geometry.h>
+#include <whipple/mesh/flat_mesh.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 

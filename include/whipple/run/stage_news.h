@@ -48,7 +48,7 @@ namespace whipple
     {
     }
 
-    /// After some steps, with the whole domain in place. @param dt time since the last look, us
+    /// After some steps, with the whole domain in place; dt: time since the last look, us.
     virtual void
     look(const Stage &, double /*dt*/, RunState<dim> &)
     {
