@@ -7,6 +7,7 @@
 A run that is in DIRECTORY already, and completed, is not made again.
 """
 import argparse
+import itertools
 import json
 import os
 import subprocess
@@ -14,7 +15,7 @@ import subprocess
 import run_record
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-SCENE = "prm/multi_plate.prm"
+SCENES = {"prm/multi_plate.prm": "Ours", "prm/multi_plate_1993.prm": "With the choices of 1993"}
 
 # Table 1 of the paper, stage by stage, as far as our copy of it can be read: end in us, CPU seconds, zones (CTH) or
 # elements (DYNA2D). None: cannot be read.
@@ -33,8 +34,9 @@ VOIDS_1993, ALPHA_1993 = "98 or 99 %", "0.1, 1000 or 1"
 
 HEAD = """# Four bumpers and a wall: Table 1
 
-The main example of [Fahrenthold1993], `prm/multi_plate.prm`: an aluminium sphere of 0.32 cm on four sheets of 0.0102 cm and a wall
-of 0.079 cm, 2.54 cm apart. Stage by stage, ours beside Table 1 of the paper (in italics).
+The main example of [Fahrenthold1993]: an aluminium sphere of 0.32 cm on four sheets of 0.0102 cm and a wall of 0.079 cm, 2.54 cm
+apart. Stage by stage, beside Table 1 of the paper (in italics): first `prm/multi_plate.prm`, then `prm/multi_plate_1993.prm`, which
+has the stage times and other choices of 1993.
 
 Made by `scripts/table_1.py build{options}`.
 """
@@ -42,52 +44,56 @@ Made by `scripts/table_1.py build{options}`.
 TAIL = """
 ## How to read it
 
-* **Ends** of stages were chosen in 1993 by looking at plots; here each stage ends by itself. A debris stage ends when the leading
+* **Ends** of stages were chosen in 1993 by looking at plots; ours end by themselves. A debris stage ends when the leading
   edge reaches the next plate, the last stage when hole and crater have settled.
 * **CPU** seconds of all ranks, hand-overs left out, on one core of today; of 1993, on its machine. They compare stages, not codes.
 * **Zones**: the largest number of active cells, or the elements of a debris stage. In 1993 the mesh of CTH was uniform over its box, here
   cells are refined where there is material and empty space has none.
 * **Void cutoff**: cells with more void than this are not taken over. **Alpha** in us/cm^2. Our copy of the paper gives 98 to 99 % and
-  0.1, 1000 and 1.0 for its four debris stages, and does not say which is which; zones of three stages are lost. Where it shows
+  0.1, 1000 and 1.0, and does not say which stage has which; zones of three stages are lost. Where it shows
   nothing there is a "?".
 * **Dropped**: mass that the hand-over into a stage leaves behind; nearly all is the plate that has been perforated. What flies
   backwards is in it, what left the domain is not. The paper gives no masses.
 """
 
 
-def run(build, cell, directory):
+def run(build, scene, cell, directory):
     """Summary and parameters of a run, made if it is not there."""
-    path = os.path.join(directory, f"cells_{cell}")
+    path = os.path.join(directory, f"{os.path.splitext(os.path.basename(scene))[0]}_{cell}")
     summary = os.path.join(path, "summary.json")
     if not os.path.exists(summary) or json.load(open(summary, encoding="utf8"))["status"] != "completed":
-        command = [os.path.join(build, "whipple"), "run", os.path.join(ROOT, SCENE), "--output", path]
+        command = [os.path.join(build, "whipple"), "run", os.path.join(ROOT, scene), "--output", path]
         for setting in (f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none"):
             command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        if subprocess.run(command, check=False, stdout=subprocess.DEVNULL).returncode not in (0, 3):
+            raise SystemExit(f"{' '.join(command)} failed")
     with open(summary, encoding="utf8") as file:
         return json.load(file), run_record.parameters(path)
 
 
 def row(stage, values, of_1993):
     end, cpu, zones = of_1993
+    if stage is None:  # the run ended before it
+        return f"| not reached | | | | *{end}* | | *{cpu:,}* | | *{zones or '?'}* | | | | *{ALPHA_1993}* | |"
     moving = stage["mode"] == "lagrangian"
     size = stage["elements"] if moving else stage["active_cells_max"]
     cutoff = values[f"Stages/{stage['name']}/Void cutoff"] if moving else ""
-    alpha = values["Materials/aluminium/Alpha"].replace("us/cm^2", "").strip()
+    alpha = values[f"Stages/{stage['name']}/Alpha"]
+    if alpha == "as the materials say":
+        alpha = values["Materials/aluminium/Alpha"]
+    alpha = alpha.replace("us/cm^2", "").strip()
     return (f"| {stage['name']} | {stage['mode']} | {stage['start_us']:.2f} | {stage['end_us']:.2f} | *{end}* "
             f"| {stage['cpu_s']:.1f} | *{cpu:,}* | {size:,} | *{zones or '?'}* "
             f"| {cutoff} | {'*' + VOIDS_1993 + '*' if moving else ''} "
-            f"| {alpha if moving else ''} | {'*' + ALPHA_1993 + '*' if moving else ''} | {stage['dropped_mass_g']:.4g} |")
+            f"| {alpha} | *{ALPHA_1993}* | {stage['dropped_mass_g']:.4g} |")
 
 
-def table(cell, summary, values):
+def table(scene, cell, summary, values):
     stages = summary["stages"]
-    if len(stages) != len(TABLE_1993):
-        raise SystemExit(f"the run of {SCENE} with cells of {cell} cm has {len(stages)} stages, Table 1 has {len(TABLE_1993)}")
-    lines = [f"\n## Cells of {cell} cm\n",
+    lines = [f"\n## {SCENES[scene]}, cells of {cell} cm\n",
              "| stage | mode | start, us | end, us | *1993* | CPU, s | *1993* | zones | *1993* | void cutoff | *1993* | alpha | "
              "*1993* | dropped, g |", "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
-    lines += [row(stage, values, of_1993) for stage, of_1993 in zip(stages, TABLE_1993)]
+    lines += [row(stage, values, of_1993) for stage, of_1993 in itertools.zip_longest(stages, TABLE_1993)]
     cpu, dropped = sum(s["cpu_s"] for s in stages), sum(s["dropped_mass_g"] for s in stages)
     lines.append(f"| all | | | | | {cpu:.1f} | *{sum(c for _, c, _ in TABLE_1993):,}* | | | | | | | {dropped:.4g} |")
     return "\n".join(lines) + "\n" + words(summary)
@@ -95,6 +101,8 @@ def table(cell, summary, values):
 
 def words(summary):
     """What came out, and whether the books close."""
+    if summary["status"] != "completed":
+        return f"\nThe run stopped: {summary['reason']}\n"
     wall = summary["results"]["wall"]
     arrivals = ", ".join(f"{s['end_us']:.2f}" for s in summary["stages"] if s["mode"] == "lagrangian")
     hole = ("cannot be seen on this mesh" if wall["hole_diameter_cm"] is None else
@@ -116,8 +124,9 @@ def main():
     parser.add_argument("--keep", default="output/table_1", help="where runs are kept")
     arguments = parser.parse_args()
     text = HEAD.format(options="" if arguments.cells == ["0.016", "0.008"] else " --cells " + " ".join(arguments.cells))
-    for cell in arguments.cells:
-        text += table(cell, *run(arguments.build, cell, arguments.keep))
+    for scene in SCENES:
+        for cell in arguments.cells:
+            text += table(scene, cell, *run(arguments.build, scene, cell, arguments.keep))
     with open(os.path.join(ROOT, "doc", "multi_plate.md"), "w", encoding="utf8") as page:
         page.write(text + TAIL)
 
