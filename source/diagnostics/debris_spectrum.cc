@@ -12,13 +12,20 @@ namespace whipple
 {
   namespace
   {
-    constexpr int axial = 1, most_bins = 64;
+    constexpr int most_bins = 64;
 
-    /// Call visit(cell) with what each owned cell that holds material contains.
+    /// Call visit(cell) with what each owned cell that holds material contains, and on the first rank with each part
+    /// that waits.
     template <int dim, typename Visit>
     void
-    for_each_cell(const FlatMesh<dim> &mesh, const State<dim> &state, const Visit &visit)
+    for_each_cell(const FlatMesh<dim> &mesh, const State<dim> &state, const WaitingDebris<dim> *waiting,
+                  MPI_Comm communicator, const Visit &visit)
     {
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      if (waiting && rank == 0)
+        for (const Waiting<dim> &part : waiting->parts)
+          visit(totals_of(CellPacketLayout<dim>::of(state), part.element));
       const CornerVelocities<dim> velocities = corner_velocities(mesh, state);
       for (Index c = 0; c < mesh.n_owned; ++c)
         if (const ConservedTotals<dim> cell = cell_totals<dim>(state, velocities, c); cell.mass > 0)
@@ -32,27 +39,27 @@ namespace whipple
   {
     double across = 0;
     for (int d = 0; d < dim; ++d)
-      if (d != axial)
+      if (d != flight_axis<dim>)
         across = std::hypot(across, cell.momentum[d]);
-    return std::atan2(across, cell.momentum[axial]) * 180. / std::numbers::pi;
+    return std::atan2(across, cell.momentum[flight_axis<dim>]) * 180. / std::numbers::pi;
   }
 
   template <int dim>
   double
   axial_velocity(const ConservedTotals<dim> &cell)
   {
-    return cell.momentum[axial] / cell.mass;
+    return cell.momentum[flight_axis<dim>] / cell.mass;
   }
 
   template <int dim>
   Spectrum<dim>
   spectrum(const FlatMesh<dim> &mesh, const State<dim> &state, std::vector<double> edges,
-           const CellQuantity<dim> &quantity, MPI_Comm communicator)
+           const CellQuantity<dim> &quantity, MPI_Comm communicator, const WaitingDebris<dim> *waiting)
   {
     constexpr int         sums_of_bin = 3 + dim;
     const std::size_t     n           = edges.size() - 1;
     std::vector<ExactSum> sums(n * sums_of_bin);
-    for_each_cell(mesh, state, [&](const ConservedTotals<dim> &cell) {
+    for_each_cell(mesh, state, waiting, communicator, [&](const ConservedTotals<dim> &cell) {
       const auto        above = std::upper_bound(edges.begin() + 1, edges.end() - 1, quantity(cell));
       const std::size_t bin   = above - edges.begin() - 1;
       ExactSum         *sum   = &sums[bin * sums_of_bin];
@@ -78,10 +85,11 @@ namespace whipple
 
   template <int dim>
   std::vector<double>
-  velocity_edges(const FlatMesh<dim> &mesh, const State<dim> &state, double width, MPI_Comm communicator)
+  velocity_edges(const FlatMesh<dim> &mesh, const State<dim> &state, double width, MPI_Comm communicator,
+                 const WaitingDebris<dim> *waiting)
   {
     double fastest = 0, slowest = 0;
-    for_each_cell(mesh, state, [&](const ConservedTotals<dim> &cell) {
+    for_each_cell(mesh, state, waiting, communicator, [&](const ConservedTotals<dim> &cell) {
       fastest = std::max(fastest, axial_velocity(cell));
       slowest = std::min(slowest, axial_velocity(cell));
     });
@@ -115,7 +123,8 @@ namespace whipple
   template double
   axial_velocity(const ConservedTotals<2> &);
   template Spectrum<2>
-  spectrum(const FlatMesh<2> &, const State<2> &, std::vector<double>, const CellQuantity<2> &, MPI_Comm);
+  spectrum(const FlatMesh<2> &, const State<2> &, std::vector<double>, const CellQuantity<2> &, MPI_Comm,
+           const WaitingDebris<2> *);
   template std::vector<double>
-  velocity_edges(const FlatMesh<2> &, const State<2> &, double, MPI_Comm);
+  velocity_edges(const FlatMesh<2> &, const State<2> &, double, MPI_Comm, const WaitingDebris<2> *);
 } // namespace whipple

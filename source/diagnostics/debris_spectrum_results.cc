@@ -12,7 +12,6 @@ namespace whipple
 {
   namespace
   {
-    constexpr int    axial       = 1;
     constexpr int    angle_bins  = 36; ///< of 5 degrees
     constexpr double speed_share = 0.05;
 
@@ -34,7 +33,7 @@ namespace whipple
       results[edges]                  = spectrum.edges;
       results["mass_by_" + by + "_g"] = list(spectrum, [](const auto &b) { return b.mass; });
       results["axial_momentum_by_" + by + "_g_cm_per_us"] =
-          list(spectrum, [](const auto &b) { return b.momentum[axial]; });
+          list(spectrum, [](const auto &b) { return b.momentum[flight_axis<dim>]; });
       results["kinetic_energy_by_" + by + "_Mbar_cm3"] = list(spectrum, [](const auto &b) { return b.kinetic_energy; });
       results["internal_energy_by_" + by + "_Mbar_cm3"] =
           list(spectrum, [](const auto &b) { return b.internal_energy; });
@@ -79,7 +78,7 @@ namespace whipple
       for (std::size_t b = 0; b < spectrum.bin.size(); ++b)
         if (const ConservedTotals<dim> &bin = spectrum.bin[b]; bin.mass > 0)
           report.log(line("  %8.4g to %-8.4g %13.6e %15.6e %15.6e %15.6e", spectrum.edges[b], spectrum.edges[b + 1],
-                          bin.mass, bin.momentum[axial], bin.kinetic_energy, bin.internal_energy));
+                          bin.mass, bin.momentum[flight_axis<dim>], bin.kinetic_energy, bin.internal_energy));
     }
 
     template <int dim>
@@ -92,18 +91,21 @@ namespace whipple
         const Stage &stage = view.scene.stages[view.stage];
         if (stage.mode() != StageMode::lagrangian)
           return;
-        const auto all      = totals(view.mesh, view.state, view.communicator);
+        auto all = totals(view.mesh, view.state, view.communicator);
+        if (view.waiting)
+          all += view.waiting->totals;
         const auto by_angle = spectrum<dim>(view.mesh, view.state, equal_edges(0., 180., angle_bins), flight_angle<dim>,
-                                            view.communicator);
-        const auto by_velocity = spectrum<dim>(
-            view.mesh, view.state, velocity_edges(view.mesh, view.state, bin_width(view.scene), view.communicator),
-            axial_velocity<dim>, view.communicator);
+                                            view.communicator, view.waiting);
+        const auto by_velocity =
+            spectrum<dim>(view.mesh, view.state,
+                          velocity_edges(view.mesh, view.state, bin_width(view.scene), view.communicator, view.waiting),
+                          axial_velocity<dim>, view.communicator, view.waiting);
         ResultTable &results = report.results[stage.name];
         results.merge(results_of(all, by_angle, by_velocity));
         enter_unknown(view.scene, results);
 
         report.log(line("debris of %s: %.6e g, %.6e g cm/us, kinetic %.6e, internal %.6e Mbar cm^3", stage.name.c_str(),
-                        all.mass, all.momentum[axial], all.kinetic_energy, all.internal_energy));
+                        all.mass, all.momentum[flight_axis<dim>], all.kinetic_energy, all.internal_energy));
         log_spectrum(by_angle, "by angle, deg", report);
         log_spectrum(by_velocity, "by velocity, cm/us", report);
       }
@@ -128,7 +130,7 @@ namespace whipple
       {
         double fastest = 0;
         for (const Body<dim> &body : scene.bodies)
-          fastest = std::max(fastest, std::abs(body.velocity[axial]));
+          fastest = std::max(fastest, std::abs(body.velocity[flight_axis<dim>]));
         return fastest > 0 ? speed_share * fastest : 0.01;
       }
     };

@@ -24,8 +24,9 @@ namespace whipple
                                               std::make_shared<StageTable<2>>(
                                                   "fragment size",
                                                   [](const MeasureView<2> &view) {
-                                                    return fragment_results(measure_fragments(
-                                                        view.layout, view.mesh, view.state, view.communicator));
+                                                    return fragment_results(
+                                                        measure_fragments(view.layout, view.mesh, view.state,
+                                                                          view.communicator, view.waiting));
                                                   },
                                                   fragment_results(FragmentSizes{})));
   } // namespace

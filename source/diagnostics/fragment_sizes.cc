@@ -14,7 +14,16 @@ namespace whipple
     /// Bins are [2^(e-1), 2^e) cm with e in this range; what is smaller or larger is in the first or last.
     constexpr int least_exponent = -20, largest_exponent = 10;
 
-    /// The part of a cell's material that has broken.
+    /// What one material is in a cell or a part.
+    struct Parcel
+    {
+      double mass   = 0; ///< g
+      double share  = 0; ///< of it that has broken
+      double moment = 0; ///< share times size, cm
+      double solid  = 0; ///< true density, g/cm^3
+    };
+
+    /// The part of it that has broken.
     struct Broken
     {
       double mass   = 0; ///< g
@@ -23,16 +32,14 @@ namespace whipple
     };
 
     Broken
-    broken_part(const MaterialState &m, int share, int moment, Index c)
+    broken_part(const Parcel &p)
     {
-      const double part = m.fields[share].value[c];
-      if (!(m.mass[c] > 0) || !(part > 0))
+      if (!(p.mass > 0) || !(p.share > 0))
         return {};
-      Broken broken{part * m.mass[c], m.fields[moment].value[c] / part, 0.};
+      Broken broken{p.share * p.mass, p.moment / p.share, 0.};
       if (!(broken.size > 0) || !std::isfinite(broken.size))
         return {};
-      const double solid = m.density[c] / (m.has_voids() ? 1. - m.void_fraction[c] : 1.);
-      broken.number      = broken.mass / (solid * broken.size * broken.size * broken.size);
+      broken.number = broken.mass / (p.solid * broken.size * broken.size * broken.size);
       return broken;
     }
 
@@ -48,7 +55,7 @@ namespace whipple
   template <int dim>
   std::optional<FragmentSizes>
   measure_fragments(const FieldLayout &layout, const FlatMesh<dim> &mesh, const State<dim> &state,
-                    MPI_Comm communicator)
+                    MPI_Comm communicator, const WaitingDebris<dim> *waiting)
   {
     const int share  = field_index(layout.fields, "fragmented share");
     const int moment = field_index(layout.fields, "fragment size moment");
@@ -56,17 +63,31 @@ namespace whipple
       return std::nullopt;
     constexpr int                      bins = largest_exponent - least_exponent + 1;
     std::array<ExactSum, 2 + 2 * bins> sums; // unbroken mass, mass times size, masses, numbers
+    const auto                         add = [&sums](const Parcel &parcel) {
+      const Broken broken = broken_part(parcel);
+      sums[0].add(parcel.mass - broken.mass);
+      if (!(broken.mass > 0))
+        return;
+      const int bin = bin_of(broken.size);
+      sums[1].add(broken.mass * broken.size);
+      sums[2 + bin].add(broken.mass);
+      sums[2 + bins + bin].add(broken.number);
+    };
     for (const MaterialState &m : state.material)
       for (Index c = 0; c < mesh.n_owned; ++c)
+        add({m.mass[c], m.fields[share].value[c], m.fields[moment].value[c],
+             m.density[c] / (m.has_voids() ? 1. - m.void_fraction[c] : 1.)});
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    if (waiting && rank == 0)
+      for (const Waiting<dim> &part : waiting->parts)
         {
-          const Broken broken = broken_part(m, share, moment, c);
-          sums[0].add(m.mass[c] - broken.mass);
-          if (!(broken.mass > 0))
-            continue;
-          const int bin = bin_of(broken.size);
-          sums[1].add(broken.mass * broken.size);
-          sums[2 + bin].add(broken.mass);
-          sums[2 + bins + bin].add(broken.number);
+          const auto        layout_of_packet = CellPacketLayout<dim>::of(state);
+          const CellPacket &packet           = part.element.packet;
+          for (int m = 0; m < layout_of_packet.n_materials(); ++m)
+            add({packet[layout_of_packet.mass(m)], packet[layout_of_packet.field(m, share)],
+                 packet[layout_of_packet.field(m, moment)],
+                 packet[layout_of_packet.density(m)] / (1. - packet[layout_of_packet.void_fraction(m)])});
         }
     ExactSum::reduce(sums, communicator);
 
@@ -96,5 +117,5 @@ namespace whipple
   }
 
   template std::optional<FragmentSizes>
-  measure_fragments(const FieldLayout &, const FlatMesh<2> &, const State<2> &, MPI_Comm);
+  measure_fragments(const FieldLayout &, const FlatMesh<2> &, const State<2> &, MPI_Comm, const WaitingDebris<2> *);
 } // namespace whipple

@@ -14,7 +14,7 @@ namespace whipple
 {
   namespace
   {
-    constexpr int axial      = 1;
+    constexpr int axial      = flight_axis<2>;
     constexpr int load_bins  = 64;
     constexpr int cells_away = 4; ///< finest cells from the plane to the plate
 
@@ -25,13 +25,10 @@ namespace whipple
       double mass, momentum, energy;
     };
 
-    /// The shares of all ranks in the bins, added up in the order of their places.
+    /// Shares in the bins, added up as they come.
     PlateLoad
-    spread(const LoadSite &site, const std::vector<Share> &mine, MPI_Comm communicator)
+    in_bins(const LoadSite &site, const std::vector<Share> &all)
     {
-      std::vector<Share> all = gather_all(communicator, std::span<const Share>(mine)).entry;
-      std::sort(all.begin(), all.end(),
-                [](const Share &a, const Share &b) { return std::tie(a.from, a.place) < std::tie(b.from, b.place); });
       PlateLoad load(site.n_bins());
       for (const Share &s : all)
         {
@@ -47,6 +44,37 @@ namespace whipple
             }
         }
       return load;
+    }
+
+    /// The shares of all ranks in the bins, added up in the order of their places.
+    PlateLoad
+    spread(const LoadSite &site, const std::vector<Share> &mine, MPI_Comm communicator)
+    {
+      std::vector<Share> all = gather_all(communicator, std::span<const Share>(mine)).entry;
+      std::sort(all.begin(), all.end(),
+                [](const Share &a, const Share &b) { return std::tie(a.from, a.place) < std::tie(b.from, b.place); });
+      return in_bins(site, all);
+    }
+
+    /// Where a part that waits is.
+    struct Place
+    {
+      double from, to, middle; ///< cm along axis 0, and along axis 1
+    };
+
+    Place
+    place_of(const LoadSite &site, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
+    {
+      const CornerVectors<2> x = corners_at(site.symmetry, layout, part, time);
+      Place                  place{0., 0., 0.};
+      for (int k = 0; k < 4; ++k)
+        {
+          const double r = site.symmetry == Symmetry::axisymmetric ? std::abs(x[0][k]) : x[0][k];
+          place.from     = k == 0 ? r : std::min(place.from, r);
+          place.to       = k == 0 ? r : std::max(place.to, r);
+          place.middle += 0.25 * x[axial][k];
+        }
+      return place;
     }
 
     /// Stress of a cell on a plane normal to axis 1, by volume of its materials, Mbar.
@@ -169,6 +197,23 @@ namespace whipple
              cell.total_energy() / state.volume[c] * flow - (t.normal * along + t.tangential * across) * area * dt});
       }
     return spread(site, mine, communicator);
+  }
+
+  PlateLoad
+  load_of_waiting(const LoadSite &site, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting,
+                  double before, double now)
+  {
+    std::vector<Share> passed;
+    for (const Waiting<2> &part : waiting.parts)
+      {
+        const Place place = place_of(site, layout, part, now);
+        if (place.middle < site.plane || !(place_of(site, layout, part, before).middle < site.plane))
+          continue;
+        const ConservedTotals<2> totals = totals_of(layout, part.element);
+        passed.push_back(
+            {place.from, place.to, place.middle, totals.mass, totals.momentum[axial], totals.total_energy()});
+      }
+    return in_bins(site, passed);
   }
 
   template <int dim>

@@ -73,6 +73,9 @@ namespace whipple
           return;
         PlateLoad load(memory);
         load += load_of_step(site_, view.mesh, view.state, view.derived, dt, view.communicator);
+        if (view.waiting)
+          load += load_of_waiting(site_, CellPacketLayout<dim>::of(view.state), *view.waiting, view.state.time - dt,
+                                  view.state.time);
         memory = load.numbers();
       }
 

@@ -132,6 +132,43 @@ namespace
         }
   }
 
+  /// Elements that wait outside the mesh count as if they were on it.
+  TEST(DebrisSpectrum, WhatWaitsCounts)
+  {
+    Cloud cloud(Symmetry::axisymmetric, 2);
+    for (Index c = 0; c < 4; ++c)
+      cloud.set_velocity(c, 0.02 * c, 0.5);
+    const auto       layout = CellPacketLayout<2>::of(cloud.state);
+    const auto       edges  = equal_edges(0., 180., 36);
+    WaitingDebris<2> waiting;
+    waiting.parts           = begin_to_wait(layout, {}, elements_of(layout, cloud.mesh, cloud.state), {}, 0.);
+    const Spectrum<2> there = spectrum<2>(cloud.mesh, cloud.state, edges, flight_angle<2>, MPI_COMM_SELF);
+    const Spectrum<2> twice = spectrum<2>(cloud.mesh, cloud.state, edges, flight_angle<2>, MPI_COMM_SELF, &waiting);
+    EXPECT_GT(there.bin[0].mass, 0.);
+    for (std::size_t b = 0; b < edges.size() - 1; ++b)
+      {
+        EXPECT_DOUBLE_EQ(twice.bin[b].mass, 2. * there.bin[b].mass);
+        EXPECT_DOUBLE_EQ(twice.bin[b].kinetic_energy, 2. * there.bin[b].kinetic_energy);
+      }
+
+    FieldLayout fields;
+    fields.fields = {{"fragmented share", "1", Carrier::mass}, {"fragment size moment", "cm", Carrier::mass}};
+    for (auto &part : waiting.parts)
+      {
+        part.element.packet[layout.field(0, 0)] = 1.;
+        part.element.packet[layout.field(0, 1)] = 0.05;
+      }
+    for (Field &field : cloud.state.material[0].fields)
+      std::fill(field.value.begin(), field.value.end(), 0.);
+    const auto sizes = measure_fragments(fields, cloud.mesh, cloud.state, MPI_COMM_SELF, &waiting);
+    ASSERT_TRUE(sizes);
+    double mass = 0;
+    for (Index c = 0; c < 4; ++c)
+      mass += cloud.mass(c);
+    EXPECT_NEAR(sizes->unbroken_mass, mass, 1e-14 * mass); // those on the mesh
+    EXPECT_NEAR(sizes->number, mass / (2.7 * 125e-6), 1e-12 * mass / (2.7 * 125e-6));
+  }
+
   /// The lists in summary.json of a run: each adds up to what the stage has in all.
   TEST(DebrisSpectrum, ListsOfARunAddUp)
   {

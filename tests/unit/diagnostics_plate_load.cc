@@ -62,6 +62,38 @@ namespace
       }
   }
 
+  /// Squares of 0.1 cm in two rows, their middles at z = -0.25 and -0.15, fly through z = -0.1 with 0.5 cm/us: the
+  /// upper row at 0.1 us, the lower at 0.3 us, each once.
+  TEST(PlateLoad, WhatWaitsPassesWhole)
+  {
+    for (const Symmetry symmetry : {Symmetry::planar, Symmetry::axisymmetric})
+      {
+        const Lattice<2>  grid  = lattice(symmetry, 2, 0);
+        const FlatMesh<2> mesh  = mesh_of(grid, uniform_keys(grid, 0), Cohesion::fragments);
+        State<2>          state = blank_state(mesh);
+        for (Index c = 0; c < 4; ++c)
+          set_material(state.material[0], c, state.volume[c], 1.35, 0.002, 0.5);
+        std::fill(state.velocity[1].begin(), state.velocity[1].end(), 0.5);
+        const auto       layout = CellPacketLayout<2>::of(state);
+        WaitingDebris<2> waiting;
+        waiting.parts = begin_to_wait(layout, {}, elements_of(layout, mesh, state), {}, 0.);
+        const LoadSite site{symmetry, -0.1, 0.1, {0., 0.1, 0.2}};
+        PlateLoad      load(2);
+        for (int step = 0; step < 25; ++step)
+          {
+            EXPECT_EQ(sum(load.mass) > 0, step > 5) << step;
+            load += load_of_waiting(site, layout, waiting, 0.02 * step, 0.02 * (step + 1));
+          }
+        for (int b = 0; b < 2; ++b) // two squares of each column
+          {
+            const double mass = 2. * 1.35 * 0.1 * site.area(0.1 * b, 0.1 * (b + 1));
+            EXPECT_NEAR(load.mass[b], mass, 1e-13 * mass);
+            EXPECT_NEAR(load.momentum[b], 0.5 * mass, 1e-13 * mass);
+            EXPECT_NEAR(load.energy[b], (0.002 + 0.125) * mass, 1e-13 * mass);
+          }
+      }
+  }
+
   /// A flyer of 5 mm at 0.08 cm/us comes to rest on a thicker target of the same metal: its momentum per area is
   /// rho d v = 2.785 * 0.5 * 0.08 = 0.1114 Mbar us, its energy half of that times v. The target is 0.2 cm away.
   TEST(PlateLoad, PlaneSlugGivesItsMomentum)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/state/conserved_totals.h>
 #include <whipple/state/fields.h>
 
@@ -38,17 +39,19 @@ namespace whipple
   /// beyond the outermost edges in the outermost bins. Over all bins they are the state's totals, but for the rounding
   /// of each sum. The same bits on any number of ranks. Collective.
   /// @param edges ascending, two or more
+  /// @param waiting debris that waits, the same on all ranks; its parts count like cells
   template <int dim>
   Spectrum<dim>
   spectrum(const FlatMesh<dim> &mesh, const State<dim> &state, std::vector<double> edges,
-           const CellQuantity<dim> &quantity, MPI_Comm communicator);
+           const CellQuantity<dim> &quantity, MPI_Comm communicator, const WaitingDebris<dim> *waiting = nullptr);
 
   /// Edges of equal bins that hold the axial velocities of all cells, and 0: multiples of `width`, doubled until there
   /// are no more than 64 bins. Collective.
   /// @param width cm/us, > 0
   template <int dim>
   std::vector<double>
-  velocity_edges(const FlatMesh<dim> &mesh, const State<dim> &state, double width, MPI_Comm communicator);
+  velocity_edges(const FlatMesh<dim> &mesh, const State<dim> &state, double width, MPI_Comm communicator,
+                 const WaitingDebris<dim> *waiting = nullptr);
 
   /// Edges of `bins` equal bins from `low` to `high`.
   std::vector<double>

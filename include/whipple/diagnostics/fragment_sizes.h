@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/flat_mesh.h>
 #include <whipple/problem/field_layout.h>
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/state/fields.h>
 
 #include <mpi.h>
@@ -24,9 +25,10 @@ namespace whipple
     /// @}
   };
 
-  /// Of the owned cells of all ranks; none if nothing has broken. The same bits on any number of ranks. Collective.
+  /// Of the owned cells of all ranks and of debris that waits; none if nothing has broken. The same bits on any number
+  /// of ranks. Collective.
   template <int dim>
   std::optional<FragmentSizes>
   measure_fragments(const FieldLayout &layout, const FlatMesh<dim> &mesh, const State<dim> &state,
-                    MPI_Comm communicator);
+                    MPI_Comm communicator, const WaitingDebris<dim> *waiting = nullptr);
 } // namespace whipple

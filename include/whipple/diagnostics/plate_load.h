@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/projection/waiting_debris.h>
 #include <whipple/scene/scene.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
@@ -70,6 +71,12 @@ namespace whipple
   PlateLoad
   load_of_step(const LoadSite &site, const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                double dt, MPI_Comm communicator);
+
+  /// What of the debris that waits has come from before one place along axis 1 to beyond `plane` between two times
+  /// [us]: each part whole when its middle passes. The same on all ranks.
+  PlateLoad
+  load_of_waiting(const LoadSite &site, const CellPacketLayout<2> &layout, const WaitingDebris<2> &waiting,
+                  double before, double now);
 
   /// What the cells between the plane and the plate's face hold, all ranks together: debris that is past the plane when
   /// a stage begins. Collective.
