@@ -110,7 +110,7 @@ def words(summary):
             f"none; crater {wall['crater_depth_cm']:.3f} cm")
     closure = max(abs(summary["ledger"][key]["closure_relative"])
                   for key in ("mass_g", "axial_momentum_g_cm_per_us", "energy_Mbar_cm3"))
-    return (f"\nPlates 2, 3, 4 and the wall are reached at {arrivals} us (*3.9, 8.3, 12.1, 17.8*). Hole in the wall "
+    return (f"\nThe debris stages end at {arrivals} us (*3.9, 8.3, 12.1, 17.8*). Hole in the wall "
             f"at {wall['measured_at_us']:.1f} us: {hole} "
             f"(*0.16 cm* at 20.8 us; the experiment: torn, about 0.2 x 0.5 cm). Impulse on the wall "
             f"{wall['impulse_g_cm_per_us']:.4g} g cm/us of {summary['ledger']['axial_momentum_g_cm_per_us']['initial']:.4g}. "
