@@ -180,7 +180,8 @@ namespace whipple
     // two equal steps rather than a full one and a very short one
     if (left < 2. * dt)
       lower(left <= dt ? left : 0.5 * left, "end of stage");
-    tried_dt_ = dt;
+    tried_dt_    = dt;
+    tried_until_ = run_.domain.state.time + dt;
     return dt;
   }
 
@@ -259,14 +260,14 @@ namespace whipple
     // of what failed, only that it did is kept: every retry is really smaller than that, until its time has passed
     const StageProgress failed   = run_.books.progress;
     const long          retries  = run_.books.summary.counts.retries;
-    const double        until    = run_.domain.state.time + tried_dt_;
     const bool          new_view = last_good_.restore(layout_, run_);
     StageProgress      &progress = run_.books.progress;
     news_.steps_undone(run_.books);
-    progress.ceiling      = retry_factor * tried_dt_;
-    progress.failed_until = until;
-    progress.retries      = failed.retries;
-    progress.locked       = failed.locked;
+    progress.ceiling = retry_factor * tried_dt_;
+    progress.failed_until =
+        tried_until_; // not by the clock of the state: ranks may have failed before and after it moved
+    progress.retries = failed.retries;
+    progress.locked  = failed.locked;
     if (new_view)
       use_mesh();
     else

@@ -151,9 +151,10 @@ namespace whipple
     std::vector<Index>          locked_;    ///< owned elements that keep their shape, ascending
     long                        cells_ = 0; ///< active cells of all ranks
 
-    AgreedTimeStep limit_{};        ///< of the present step
-    double         tried_dt_   = 0; ///< us; the present step
-    double         wall_start_ = 0; ///< s
-    double         cpu_start_  = 0; ///< s, of all ranks
+    AgreedTimeStep limit_{};         ///< of the present step
+    double         tried_dt_    = 0; ///< us; the present step
+    double         tried_until_ = 0; ///< us; its end
+    double         wall_start_  = 0; ///< s
+    double         cpu_start_   = 0; ///< s, of all ranks
   };
 } // namespace whipple
