@@ -8,11 +8,9 @@ Two runs at a time. Runs that are in DIRECTORY already, and completed, are not m
 """
 import argparse
 import concurrent.futures
-import json
 import os
-import subprocess
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+import kept_run
 
 EULERIAN = ["perforation 1", "perforation 2", "perforation 3", "perforation 4", "impact"]
 MOVING = ["debris 1", "debris 2", "debris 3", "debris 4"]
@@ -61,18 +59,9 @@ Made by `scripts/choices_page.py build{options}`.
 """
 
 
-def run(program, folder, name, scene, settings, cell):
+def run(build, folder, name, scene, settings, cell):
     directory = os.path.join(folder, f"{name} {cell}".replace(" ", "_").replace("/", "_per_").replace(":", ""))
-    summary = os.path.join(directory, "summary.json")
-    if not (os.path.exists(summary) and json.load(open(summary, encoding="utf8"))["status"] == "completed"):
-        command = [os.path.abspath(os.path.join(program, "whipple")), "run", os.path.join(ROOT, scene), "--output", directory]
-        for setting in [f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none", *settings]:
-            command += ["--set", setting]
-        result = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
-        if not os.path.exists(summary):
-            raise SystemExit(f"{name}: {result.stderr.strip()}")
-    with open(summary, encoding="utf8") as file:
-        return json.load(file)
+    return kept_run.kept_run(build, directory, scene, [f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none", *settings])
 
 
 def wall(summary):
@@ -140,7 +129,7 @@ def main():
     text = HEAD.format(options=options)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         text += single_bumper(arguments, pool) + four_bumpers(arguments, pool)
-    page = os.path.join(ROOT, "doc", "choices_1993.md")
+    page = os.path.join(kept_run.ROOT, "doc", "choices_1993.md")
     tail = ""
     if os.path.exists(page):  # what has been said about it stays
         with open(page, encoding="utf8") as file:

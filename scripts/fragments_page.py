@@ -8,11 +8,9 @@ Two runs at a time. Runs that are in DIRECTORY already, and completed, are not m
 """
 import argparse
 import concurrent.futures
-import json
 import os
-import subprocess
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+import kept_run
 
 SIZES = ["distended", "0.01 cm", "0.02 cm", "0.05 cm", "0.1 cm", "0.2 cm", "model", "packages"]
 
@@ -50,22 +48,16 @@ TAIL = """
 """
 
 
-def run(program, folder, case, size, cell):
+def run(build, folder, case, size, cell):
     scene, stages, extra = CASES[case]
     directory = os.path.join(folder, f"{case} {size} {cell}".replace(" ", "_"))
-    summary = os.path.join(directory, "summary.json")
-    if not (os.path.exists(summary) and json.load(open(summary, encoding="utf8"))["status"] == "completed"):
-        sets = [f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none", *extra]
-        for stage in stages:
-            if size in ("distended", "packages"):
-                sets.append(f"Stages/{stage}/Representation = {size}")
-            else:
-                sets += [f"Stages/{stage}/Representation = fragments", f"Stages/{stage}/Fragment size = {size}"]
-        command = [program, "run", os.path.join(ROOT, scene), "--output", directory]
-        for value in sets:
-            command += ["--set", value]
-        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-    return json.load(open(summary, encoding="utf8"))
+    settings = [f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none", *extra]
+    for stage in stages:
+        if size in ("distended", "packages"):
+            settings.append(f"Stages/{stage}/Representation = {size}")
+        else:
+            settings += [f"Stages/{stage}/Representation = fragments", f"Stages/{stage}/Fragment size = {size}"]
+    return kept_run.kept_run(build, directory, scene, settings)
 
 
 def row(size, cell, case, result):
@@ -85,13 +77,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
     parser.add_argument("--cells", nargs="+", default=["0.016", "0.008"])
-    parser.add_argument("--keep", default=os.path.join(ROOT, "output", "fragments_page"))
+    parser.add_argument("--keep", default=os.path.join(kept_run.ROOT, "output", "fragments_page"))
     arguments = parser.parse_args()
-    program = os.path.join(arguments.build, "whipple")
     os.makedirs(arguments.keep, exist_ok=True)
     jobs = [(case, size, cell) for case in CASES for cell in arguments.cells for size in SIZES]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        results = dict(zip(jobs, pool.map(lambda job: run(program, arguments.keep, *job), jobs)))
+        results = dict(zip(jobs, pool.map(lambda job: run(arguments.build, arguments.keep, *job), jobs)))
     options = "" if arguments.cells == parser.get_default("cells") else " --cells " + " ".join(arguments.cells)
     text = HEAD.format(options=options)
     for case, (scene, stages, _) in CASES.items():
@@ -102,7 +93,7 @@ def main():
         for cell in arguments.cells:
             for size in SIZES:
                 text += row(size, cell, case, results[(case, size, cell)]) + "\n"
-    with open(os.path.join(ROOT, "doc", "fragments.md"), "w", encoding="utf8") as file:
+    with open(os.path.join(kept_run.ROOT, "doc", "fragments.md"), "w", encoding="utf8") as file:
         file.write(text + TAIL)
 
 

@@ -8,13 +8,11 @@ A run that is in DIRECTORY already, and completed, is not made again.
 """
 import argparse
 import itertools
-import json
 import os
-import subprocess
 
+import kept_run
 import run_record
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SCENES = {"prm/multi_plate.prm": "Ours", "prm/multi_plate_1993.prm": "With the choices of 1993"}
 
 # Table 1 of the paper, stage by stage, as far as our copy of it can be read: end in us, CPU seconds, zones (CTH) or
@@ -60,15 +58,8 @@ TAIL = """
 def run(build, scene, cell, directory):
     """Summary and parameters of a run, made if it is not there."""
     path = os.path.join(directory, f"{os.path.splitext(os.path.basename(scene))[0]}_{cell}")
-    summary = os.path.join(path, "summary.json")
-    if not os.path.exists(summary) or json.load(open(summary, encoding="utf8"))["status"] != "completed":
-        command = [os.path.join(build, "whipple"), "run", os.path.join(ROOT, scene), "--output", path]
-        for setting in (f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none"):
-            command += ["--set", setting]
-        if subprocess.run(command, check=False, stdout=subprocess.DEVNULL).returncode not in (0, 3):
-            raise SystemExit(f"{' '.join(command)} failed")
-    with open(summary, encoding="utf8") as file:
-        return json.load(file), run_record.parameters(path)
+    summary = kept_run.kept_run(build, path, scene, [f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none"])
+    return summary, run_record.parameters(path)
 
 
 def row(stage, values, of_1993):
@@ -127,7 +118,7 @@ def main():
     for scene in SCENES:
         for cell in arguments.cells:
             text += table(scene, cell, *run(arguments.build, scene, cell, arguments.keep))
-    with open(os.path.join(ROOT, "doc", "multi_plate.md"), "w", encoding="utf8") as page:
+    with open(os.path.join(kept_run.ROOT, "doc", "multi_plate.md"), "w", encoding="utf8") as page:
         page.write(text + TAIL)
 
 
