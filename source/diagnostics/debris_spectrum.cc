@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/debris_spectrum.h>
-#include <whipple/ledger/exact_sum.h>
+#include <whipple/ledger/exact_totals.h>
 #include <whipple/mesh/collective.h>
 #include <whipple/projection/cell_totals.h>
 
@@ -56,29 +56,16 @@ namespace whipple
   spectrum(const FlatMesh<dim> &mesh, const State<dim> &state, std::vector<double> edges,
            const CellQuantity<dim> &quantity, MPI_Comm communicator, const WaitingDebris<dim> *waiting)
   {
-    constexpr int         sums_of_bin = 3 + dim;
-    const std::size_t     n           = edges.size() - 1;
-    std::vector<ExactSum> sums(n * sums_of_bin);
+    std::vector<ExactTotals<dim>> sums(edges.size() - 1);
     for_each_cell(mesh, state, waiting, communicator, [&](const ConservedTotals<dim> &cell) {
-      const auto        above = std::upper_bound(edges.begin() + 1, edges.end() - 1, quantity(cell));
-      const std::size_t bin   = above - edges.begin() - 1;
-      ExactSum         *sum   = &sums[bin * sums_of_bin];
-      sum[0].add(cell.mass);
-      sum[1].add(cell.internal_energy);
-      sum[2].add(cell.kinetic_energy);
-      for (int d = 0; d < dim; ++d)
-        sum[3 + d].add(cell.momentum[d]);
+      const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, quantity(cell));
+      sums[above - edges.begin() - 1].add(cell);
     });
-    ExactSum::reduce(sums, communicator);
-    Spectrum<dim> result{std::move(edges), std::vector<ConservedTotals<dim>>(n)};
-    for (std::size_t b = 0; b < n; ++b)
+    Spectrum<dim> result{std::move(edges), {}};
+    for (ExactTotals<dim> &bin : sums)
       {
-        const ExactSum *sum           = &sums[b * sums_of_bin];
-        result.bin[b].mass            = sum[0].value();
-        result.bin[b].internal_energy = sum[1].value();
-        result.bin[b].kinetic_energy  = sum[2].value();
-        for (int d = 0; d < dim; ++d)
-          result.bin[b].momentum[d] = sum[3 + d].value();
+        ExactSum::reduce(bin.sum, communicator);
+        result.bin.push_back(bin.amounts());
       }
     return result;
   }

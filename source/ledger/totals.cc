@@ -1,45 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/ledger/exact_sum.h>
+#include <whipple/ledger/exact_totals.h>
 #include <whipple/ledger/totals.h>
 #include <whipple/projection/cell_totals.h>
-
-#include <array>
 
 namespace whipple
 {
   namespace
   {
-    /// Amounts being summed: mass, internal, kinetic, momentum.
-    template <int dim>
-    struct Sums
-    {
-      std::array<ExactSum, 3 + dim> sum;
-
-      void
-      add_corner(double mass, const Vector<dim> &velocity)
-      {
-        double square = 0;
-        for (int d = 0; d < dim; ++d)
-          {
-            square += velocity[d] * velocity[d];
-            sum[3 + d].add(mass * velocity[d]);
-          }
-        sum[2].add(0.5 * mass * square);
-      }
-
-      ConservedTotals<dim>
-      amounts() const
-      {
-        ConservedTotals<dim> result;
-        result.mass            = sum[0].value();
-        result.internal_energy = sum[1].value();
-        result.kinetic_energy  = sum[2].value();
-        for (int d = 0; d < dim; ++d)
-          result.momentum[d] = sum[3 + d].value();
-        return result;
-      }
-    };
-
     template <int dim>
     Vector<dim>
     node_velocity(const State<dim> &state, Index n)
@@ -82,7 +49,7 @@ namespace whipple
   ConservedTotals<dim>
   totals(const FlatMesh<dim> &mesh, const State<dim> &state, MPI_Comm communicator)
   {
-    Sums<dim> sums;
+    ExactTotals<dim> sums;
     for (const MaterialState &m : state.material)
       for (Index c = 0; c < mesh.n_owned; ++c)
         if (m.mass[c] != 0.)
@@ -105,17 +72,10 @@ namespace whipple
            MPI_Comm communicator)
   {
     const CornerVelocities<dim> velocities = corner_velocities(mesh, state);
-    Sums<dim>                   sums;
+    ExactTotals<dim>            sums;
     for (Index c = 0; c < mesh.n_owned; ++c)
       if (belongs(c))
-        {
-          const ConservedTotals<dim> cell = cell_totals<dim>(state, velocities, c);
-          sums.sum[0].add(cell.mass);
-          sums.sum[1].add(cell.internal_energy);
-          sums.sum[2].add(cell.kinetic_energy);
-          for (int d = 0; d < dim; ++d)
-            sums.sum[3 + d].add(cell.momentum[d]);
-        }
+        sums.add(cell_totals<dim>(state, velocities, c));
     ExactSum::reduce(sums.sum, communicator);
     return sums.amounts();
   }
@@ -125,10 +85,10 @@ namespace whipple
   body_totals(const FlatMesh<dim> &mesh, const State<dim> &state, const std::vector<int> &tag,
               const std::vector<Index> &material, MPI_Comm communicator)
   {
-    constexpr int          corners  = FlatMesh<dim>::corners;
-    const std::size_t      n_bodies = tag.size();
-    std::vector<Sums<dim>> sums(n_bodies);
-    std::vector<double>    part(n_bodies);
+    constexpr int                 corners  = FlatMesh<dim>::corners;
+    const std::size_t             n_bodies = tag.size();
+    std::vector<ExactTotals<dim>> sums(n_bodies);
+    std::vector<double>           part(n_bodies);
     for (Index c = 0; c < mesh.n_owned; ++c)
       for (std::size_t m = 0; m < state.material.size(); ++m)
         {
@@ -151,7 +111,7 @@ namespace whipple
             }
         }
     std::vector<ConservedTotals<dim>> result;
-    for (Sums<dim> &s : sums)
+    for (ExactTotals<dim> &s : sums)
       {
         ExactSum::reduce(s.sum, communicator);
         result.push_back(s.amounts());
@@ -163,7 +123,7 @@ namespace whipple
   ConservedTotals<dim>
   totals(const CellPacketLayout<dim> &layout, const std::vector<Waiting<dim>> &parts)
   {
-    Sums<dim> sums;
+    ExactTotals<dim> sums;
     for (const Waiting<dim> &part : parts)
       {
         const CellPacket &packet = part.element.packet;
@@ -184,8 +144,8 @@ namespace whipple
   body_totals(const CellPacketLayout<dim> &layout, const std::vector<Waiting<dim>> &parts, const std::vector<int> &tag,
               const std::vector<Index> &material)
   {
-    std::vector<Sums<dim>> sums(tag.size());
-    std::vector<double>    share(tag.size());
+    std::vector<ExactTotals<dim>> sums(tag.size());
+    std::vector<double>           share(tag.size());
     for (const Waiting<dim> &waiting : parts)
       {
         const Element<dim> &element = waiting.element;
@@ -209,7 +169,7 @@ namespace whipple
           }
       }
     std::vector<ConservedTotals<dim>> result;
-    for (const Sums<dim> &s : sums)
+    for (const ExactTotals<dim> &s : sums)
       result.push_back(s.amounts());
     return result;
   }

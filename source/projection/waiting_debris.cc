@@ -9,21 +9,6 @@ namespace whipple
 {
   namespace
   {
-    double
-    area(const CornerVectors<2> &x)
-    {
-      return CellShape<2>::area(x);
-    }
-
-    Vector<2>
-    middle(const CornerVectors<2> &x)
-    {
-      Vector<2> result;
-      for (int d = 0; d < 2; ++d)
-        result[d] = 0.25 * (x[d][0] + x[d][1] + x[d][2] + x[d][3]);
-      return result;
-    }
-
     /// What the section of a ring shrinks by as it grows; 1 for one that has come to the axis, which is no ring.
     double
     shrinking(Symmetry symmetry, const Waiting<2> &part, double radial_way)
@@ -97,8 +82,8 @@ namespace whipple
       if (element.piece >= 0)
         {
           PieceSum       &sum  = pieces[element.piece];
-          const double    own  = area(element.position);
-          const Vector<2> here = middle(element.position);
+          const double    own  = CellShape<2>::area(element.position);
+          const Vector<2> here = CellShape<2>::middle(element.position);
           sum.area += own;
           for (int d = 0; d < 2; ++d)
             sum.centre[d] += (here[d] - sum.centre[d]) * (own / sum.area);
@@ -114,7 +99,7 @@ namespace whipple
           }
         else
           {
-            part.centre = middle(part.element.position);
+            part.centre = CellShape<2>::middle(part.element.position);
             for (int m = 0; m < layout.n_materials(); ++m)
               for (const int field : stress)
                 part.element.packet[layout.field(m, field)] = 0.;

@@ -72,8 +72,8 @@ namespace whipple
           box.upper[d]             = *high;
           box.slowest[d]           = (*low1 - *low) / time;
           box.fastest[d]           = (*high1 - *high) / time;
-          box.velocity[d]          = 0.25 * (velocity[d][0] + velocity[d][1] + velocity[d][2] + velocity[d][3]);
         }
+      box.velocity = CellShape<2>::middle(velocity);
       return box;
     }
 
@@ -395,10 +395,8 @@ namespace whipple
         const double             w = totals.momentum[1] / totals.mass, u = totals.momentum[0] / totals.mass;
         if (!(w > std::max(velocity, 0.)))
           continue;
-        const CornerVectors<2> x    = corners_at(scene.lattice.symmetry, layout, part, time);
-        const double           z    = 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]);
-        const double           r    = 0.25 * (x[0][0] + x[0][1] + x[0][2] + x[0][3]);
-        const double           then = r + u * (face - z) / w;
+        const auto [r, z] = CellShape<2>::middle(corners_at(scene.lattice.symmetry, layout, part, time));
+        const double then = r + u * (face - z) / w;
         if (z < face && then > inner && then < outer)
           sum += totals.momentum[flight_axis<2>];
       }

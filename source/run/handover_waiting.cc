@@ -34,18 +34,6 @@ namespace whipple
       std::sort(all.begin(), all.end());
       return all;
     }
-
-    /// Fields of deviatoric stress that a state has.
-    template <int dim>
-    std::vector<int>
-    stress_fields(const State<dim> &state)
-    {
-      std::vector<int> fields;
-      for (const int field : state.index.stress)
-        if (field >= 0)
-          fields.push_back(field);
-      return fields;
-    }
   } // namespace
 
   template <int dim>
@@ -92,7 +80,9 @@ namespace whipple
         waiting.reset();
         return elements;
       }
-    const std::vector<int> stress = stress_fields(domain.state);
+    const auto                &index = domain.state.index;
+    const std::span<const int> stress =
+        index.has_stress() ? std::span<const int>(index.stress) : std::span<const int>();
     waiting = waiting_of(layout, begin_to_wait(layout, std::move(before), std::move(later), stress, domain.state.time));
     return now;
   }
@@ -157,9 +147,9 @@ namespace whipple
     const auto                      judge    = [&](const Waiting<dim> &part, bool through) {
       const CornerVectors<2>     x     = corners_at(symmetry, layout, part, time);
       const ConservedTotals<dim> holds = totals_of(layout, part.element);
-      if (!through && 0.25 * (x[1][0] + x[1][1] + x[1][2] + x[1][3]) < *criteria.plane)
+      if (!through && CellShape<dim>::middle(x)[flight_axis<dim>] < *criteria.plane)
         return Verdict::not_debris;
-      if (criteria.least_velocity && holds.momentum[1] < *criteria.least_velocity * holds.mass)
+      if (criteria.least_velocity && holds.momentum[flight_axis<dim>] < *criteria.least_velocity * holds.mass)
         return Verdict::not_debris;
       return void_fraction_at(symmetry, layout, part, time) > criteria.void_cutoff ? Verdict::void_cutoff
                                                                                                            : Verdict::kept;

@@ -9,15 +9,6 @@
 
 namespace whipple
 {
-  namespace
-  {
-    double
-    mean(const std::array<double, 4> &x)
-    {
-      return 0.25 * (x[0] + x[1] + x[2] + x[3]);
-    }
-  } // namespace
-
   template <int dim>
   template <typename Visit>
   void
@@ -97,7 +88,7 @@ namespace whipple
     const ConservedTotals<dim> sum = cell_sum<dim>(mesh, state, belongs, run_.domain.communicator());
     Debris                     found{sum.mass, sum.momentum[flight_axis<dim>]};
     for_each_waiting([&](const Waiting<dim> &part, const CornerVectors<2> &x, const CornerVectors<2> &u) {
-      if (mean(x[flight_axis<dim>]) > plane && mean(u[flight_axis<dim>]) > velocity)
+      if (CellShape<dim>::middle(x)[flight_axis<dim>] > plane && CellShape<dim>::middle(u)[flight_axis<dim>] > velocity)
         {
           const auto holds = totals_of(CellPacketLayout<dim>::of(state), part.element);
           found.mass += holds.mass;

@@ -230,30 +230,16 @@ namespace whipple
     private:
       RunLog &log_;
     };
-
-    /// The stage, until its holes have settled; at the latest at eight times the time that it has taken.
-    Stage
-    until_holes_have_settled(const Stage &stage, double taken)
-    {
-      constexpr double longest = 8.;
-      Stage            longer  = stage;
-      StageEndInput    input;
-      input.rest  = "until holes have settled within " + std::to_string(longest * taken) + " us";
-      input.value = [](const std::string &text, const units::Quantity &quantity) {
-        return units::parse(text, quantity);
-      };
-      input.reject = [](const std::string &allowed) { throw InputError(allowed); };
-      longer.end   = StageEndRegistry::read(input);
-      return longer;
-    }
   } // namespace
 
   template <int dim>
   void
   Simulation<dim>::follow_plates(const Stage &stage, const FieldLayout &layout)
   {
-    const double  start = state_.books.summary.stages.back().start_us, end = state_.domain.state.time;
-    const Stage   longer = until_holes_have_settled(stage, end - start);
+    const double     start = state_.books.summary.stages.back().start_us, end = state_.domain.state.time;
+    constexpr double longest = 8.; // times what the stage has taken
+    Stage            longer  = stage;
+    longer.end               = until_holes_have_settled(longest * (end - start));
     LastGood<dim> before, good;
     before.keep(state_);
     good.keep(state_);

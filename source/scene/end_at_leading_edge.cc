@@ -25,11 +25,6 @@ namespace whipple
           return std::numeric_limits<double>::infinity();
         return std::max(outlook.start, (face_ - outlook.front) / outlook.fastest);
       }
-      bool
-      is_known() const override
-      {
-        return false;
-      }
       std::optional<std::size_t>
       awaited_body() const override
       {

@@ -41,6 +41,11 @@ namespace whipple
       {
         return time_;
       }
+      bool
+      is_known() const override
+      {
+        return true;
+      }
       Left
       time_left(const StageView &stage, std::vector<double> &) const override
       {
@@ -63,6 +68,11 @@ namespace whipple
       expected(const StageOutlook &outlook) const override
       {
         return outlook.start + duration_;
+      }
+      bool
+      is_known() const override
+      {
+        return true;
       }
       Left
       time_left(const StageView &stage, std::vector<double> &) const override

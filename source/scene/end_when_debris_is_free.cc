@@ -37,11 +37,6 @@ namespace whipple
           return std::numeric_limits<double>::infinity();
         return outlook.start + lengths * std::max(rear_ - outlook.front, 0.1) / outlook.fastest;
       }
-      bool
-      is_known() const override
-      {
-        return false;
-      }
       Left
       time_left(const StageView &stage, std::vector<double> &memory) const override
       {
@@ -103,8 +98,7 @@ namespace whipple
                      {"'until debris is free of BODY'",
                       "when half of the momentum is behind that plate and gains less than 1 % in a sixth of the time",
                       [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
-                        constexpr double  least_part = 0.1;
-                        const std::size_t body       = input.body(input.rest);
+                        const std::size_t body = input.body(input.rest);
                         if (!(input.largest_speed > 0))
                           input.reject("nothing moves in this scene; allowed is a time");
                         double next = std::numeric_limits<double>::infinity();
@@ -112,7 +106,7 @@ namespace whipple
                           if (front >= input.rears[body])
                             next = std::min(next, front);
                         return std::make_shared<EndWhenDebrisIsFree>(input.bodies[body], input.rears[body], next,
-                                                                     least_part * input.largest_speed);
+                                                                     input.debris_velocity());
                       }});
   } // namespace
 } // namespace whipple

@@ -37,11 +37,6 @@ namespace whipple
       {
         return outlook.start; // at least
       }
-      bool
-      is_known() const override
-      {
-        return false;
-      }
       Left
       time_left(const StageView &stage, std::vector<double> &memory) const override
       {
@@ -133,7 +128,6 @@ namespace whipple
          "debris has "
          "come to that body; at the latest after that time",
          [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
-           constexpr double  least_part = 0.1;
            const std::string within = "within ", reached = "and debris has reached ";
            std::string       rest   = input.rest;
            double            latest = std::numeric_limits<double>::infinity();
@@ -145,14 +139,20 @@ namespace whipple
            if (!(latest > 0))
              input.reject("allowed is a time > 0 us");
            if (rest.empty())
-             return std::make_shared<EndWhenHolesSettle>(latest, std::nullopt);
+             return until_holes_have_settled(latest);
            if (!rest.starts_with(reached))
              input.reject(
                  "allowed is 'until holes have settled', followed by 'and debris has reached BODY', 'within 10 us', "
                  "or both");
            const std::size_t body = input.body(rest.substr(reached.size()));
            return std::make_shared<EndWhenHolesSettle>(
-               latest, EndWhenHolesSettle::Target{input.fronts[body], least_part * input.largest_speed});
+               latest, EndWhenHolesSettle::Target{input.fronts[body], input.debris_velocity()});
          }});
   } // namespace
+
+  std::shared_ptr<const StageEnd>
+  until_holes_have_settled(double latest)
+  {
+    return std::make_shared<EndWhenHolesSettle>(latest, std::nullopt);
+  }
 } // namespace whipple

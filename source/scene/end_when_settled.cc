@@ -27,11 +27,6 @@ namespace whipple
       {
         return outlook.start + time_; // at least
       }
-      bool
-      is_known() const override
-      {
-        return false;
-      }
       Left
       time_left(const StageView &stage, std::vector<double> &memory) const override
       {

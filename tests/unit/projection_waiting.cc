@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Debris that waits outside the mesh flies straight, keeps what it holds, and a ring of it keeps its solid.
+#include "../flying_element.h"
+
 #include <whipple/projection/waiting_debris.h>
 
 #include <gtest/gtest.h>
@@ -26,25 +28,14 @@ namespace
   Element<2>
   rectangle(Symmetry symmetry, double r, double z, double dr, double dz, double phi, const Vector<2> &u, double rate)
   {
-    const CellPacketLayout<2> layout = one_material();
-    Element<2>                element;
-    element.packet.assign(layout.size(), 0.);
+    const CellPacketLayout<2> layout  = one_material();
+    Element<2>                element = flying_rectangle(layout, symmetry, {{r, z}}, {{dr, dz}}, 2.7, 0.003, phi, u);
     for (int k = 0; k < 4; ++k)
       {
-        element.position[0][k]                = r + (k & 1 ? dr : 0.);
-        element.position[1][k]                = z + (k & 2 ? dz : 0.);
-        element.packet[layout.velocity(0, k)] = u[0] + rate * (element.position[0][k] - r);
-        element.packet[layout.velocity(1, k)] = u[1] + rate * (element.position[1][k] - z);
+        element.packet[layout.velocity(0, k)] += rate * (element.position[0][k] - r);
+        element.packet[layout.velocity(1, k)] += rate * (element.position[1][k] - z);
       }
-    const double volume                     = cell_volume<2>(symmetry, element.position);
-    element.packet[layout.volume(0)]        = volume;
-    element.packet[layout.density(0)]       = 2.7 * (1. - phi);
-    element.packet[layout.mass(0)]          = 2.7 * (1. - phi) * volume;
-    element.packet[layout.energy(0)]        = 0.003;
-    element.packet[layout.void_fraction(0)] = phi;
-    element.packet[layout.field(0, 0)]      = 1e-3;
-    for (double &mass : element.corner_mass)
-      mass = 0.25 * element.packet[layout.mass(0)];
+    element.packet[layout.field(0, 0)] = 1e-3;
     return element;
   }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Debris that waits is laid down when it comes to what is on the mesh, not before, and each landing closes.
+#include "../flying_element.h"
+
 #include <whipple/error.h>
 #include <whipple/hydro/lagrange_step.h>
 #include <whipple/ledger/totals.h>
@@ -44,24 +46,7 @@ namespace
   square(const CellPacketLayout<2> &layout, Symmetry symmetry, double r, double z, double phi, double velocity,
          double radial = 0.)
   {
-    Element<2> element;
-    element.packet.assign(layout.size(), 0.);
-    for (int k = 0; k < 4; ++k)
-      {
-        element.position[0][k]                = r + (k & 1 ? 0.02 : 0.);
-        element.position[1][k]                = z + (k & 2 ? 0.02 : 0.);
-        element.packet[layout.velocity(0, k)] = radial;
-        element.packet[layout.velocity(1, k)] = velocity;
-      }
-    const double volume                     = cell_volume<2>(symmetry, element.position);
-    element.packet[layout.volume(0)]        = volume;
-    element.packet[layout.density(0)]       = 2.77 * (1. - phi);
-    element.packet[layout.mass(0)]          = 2.77 * (1. - phi) * volume;
-    element.packet[layout.energy(0)]        = 0.002;
-    element.packet[layout.void_fraction(0)] = phi;
-    for (double &mass : element.corner_mass)
-      mass = 0.25 * element.packet[layout.mass(0)];
-    return element;
+    return flying_rectangle(layout, symmetry, {{r, z}}, {{0.02, 0.02}}, 2.77, 0.002, phi, {{radial, velocity}});
   }
 
   struct Case

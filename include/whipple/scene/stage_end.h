@@ -75,7 +75,7 @@ namespace whipple
     virtual bool
     is_known() const
     {
-      return true;
+      return false;
     }
 
     /// The time itself, if it does not depend on when the stage starts, us.
@@ -115,6 +115,13 @@ namespace whipple
     std::vector<double>      rears;             ///< upper face, cm
     double                   largest_speed = 0; ///< of the bodies, cm/us
 
+    /// Velocity along the line of flight from which on something is debris that counts, cm/us.
+    double
+    debris_velocity() const
+    {
+      return 0.1 * largest_speed;
+    }
+
     /// A part of the text as a value in internal units. Throws InputError that names file, key and value.
     std::function<double(const std::string &text, const units::Quantity &quantity)> value;
     /// A part of the text as an index into bodies. Throws InputError likewise.
@@ -147,4 +154,9 @@ namespace whipple
 
   /// Makes a stage end known: one line at the end of its file.
   using StageEndRegistration = StageEndRegistry::Registered;
+
+  /// The end "until holes have settled": no hole or crater has grown by more than 2 % in the last third of the time.
+  /// @param latest us since the start of the stage
+  std::shared_ptr<const StageEnd>
+  until_holes_have_settled(double latest);
 } // namespace whipple
