@@ -124,7 +124,7 @@ namespace whipple
 
   template <int dim>
   RemapSums<dim>
-  DirectionalRemap<dim>::sweep(State<dim> &state, const int axis)
+  DirectionalRemap<dim>::sweep(State<dim> &state, const int axis, const MeetingHalo<dim> &halo)
   {
     RemapSums<dim>            report;
     const SweepTopology<dim> &topology = topology_[axis];
@@ -138,7 +138,7 @@ namespace whipple
       state.volume[c] -= topology.net(swept_[axis], c);
     compress_overfull(state, mesh_->n_owned, report);
     sum_masses(state, mass_after_);
-    momentum_transport_.move(state, topology, mass_flux_, mass_before_, mass_after_, report);
+    momentum_transport_.move(state, topology, mass_flux_, mass_before_, mass_after_, halo, report);
     return report;
   }
 

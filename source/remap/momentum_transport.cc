@@ -59,56 +59,81 @@ namespace whipple
   }
 
   template <int dim>
-  void
-  MomentumTransport<dim>::mix_drained_nodes(const State<dim> &state, const int axis)
+  std::vector<std::vector<double> *>
+  MomentumTransport<dim>::arrays_given()
   {
+    std::vector<std::vector<double> *> arrays{&excess_};
+    for (auto &component : up_)
+      arrays.push_back(&component);
+    return arrays;
+  }
+
+  template <int dim>
+  bool
+  MomentumTransport<dim>::mix_once(const State<dim> &state, const int axis, const Index n, Mixture &mixed) const
+  {
+    constexpr double round_off = 2e-15;
+    const Mixture    given     = given_by(n);
+    mixed                      = given;
+    // seen from what it gives, a node's outflow has no momentum: held + inflow remain
+    Exchange exchange;
+    gather_drained(state, axis, n, given.velocity, exchange);
+    const double spread  = std::sqrt(std::abs(exchange.square) / exchange.inflow);
+    bool         changed = false;
+    // what is nothing but round-off stays as it is: the next pass must not depend on how many went before
+    for (int d = 0; d < dim; ++d)
+      {
+        const int s = ruling_side<dim>(boundaries_, mesh_->node_side[n], d);
+        // what flows in from beyond a symmetry plane brings the opposite normal momentum
+        const bool   mirrored = s != none && boundaries_[s].kind == BoundaryKind::reflecting;
+        const double change   = mirrored ? -given.velocity[d] : exchange.momentum[d] / exchange.inflow;
+        if (!(std::abs(change) > round_off * (std::abs(given.velocity[d]) + spread)))
+          continue;
+        mixed.velocity[d] += change;
+        changed = true;
+      }
+    const double out    = exchange.inflow - dual_.balance[n].mass;
+    const double loss   = 0.5 * exchange.square - out * given.excess;
+    const double excess = -loss / exchange.inflow;
+    if (std::abs(excess - given.excess) > 10. * round_off * (std::abs(excess) + std::abs(given.excess)))
+      {
+        mixed.excess = excess;
+        changed      = true;
+      }
+    return changed;
+  }
+
+  template <int dim>
+  void
+  MomentumTransport<dim>::mix_drained_nodes(const State<dim> &state, const int axis, const MeetingHalo<dim> &halo)
+  {
+    if (!halo.any(!drained_.empty()))
+      return;
     // drained nodes may feed each other, also in circles: each pass brings them nearer to what they all give
-    constexpr int    most_passes = 200;
-    constexpr double round_off   = 2e-15;
+    constexpr int                            most_passes = 200;
+    const std::vector<std::vector<double> *> given       = arrays_given();
     mixed_.resize(drained_.size());
     for (int pass = 0; pass < most_passes; ++pass)
       {
-        bool settled = true;
+        bool changed = false;
         for (std::size_t i = 0; i < drained_.size(); ++i)
-          {
-            const Index n = drained_[i];
-            Mixture     given{{}, excess_[n]};
-            for (int d = 0; d < dim; ++d)
-              given.velocity[d] = up_[d][n];
-            // seen from what it gives, a node's outflow has no momentum: held + inflow remain
-            Exchange exchange;
-            gather_drained(state, axis, n, given.velocity, exchange);
-            const double spread = std::sqrt(std::abs(exchange.square) / exchange.inflow);
-            mixed_[i]           = given;
-            // what is nothing but round-off stays as it is: the next pass must not depend on how many went before
-            for (int d = 0; d < dim; ++d)
-              {
-                const int s = ruling_side<dim>(boundaries_, mesh_->node_side[n], d);
-                // what flows in from beyond a symmetry plane brings the opposite normal momentum
-                const bool   mirrored = s != none && boundaries_[s].kind == BoundaryKind::reflecting;
-                const double change   = mirrored ? -given.velocity[d] : exchange.momentum[d] / exchange.inflow;
-                if (!(std::abs(change) > round_off * (std::abs(given.velocity[d]) + spread)))
-                  continue;
-                mixed_[i].velocity[d] += change;
-                settled = false;
-              }
-            const double out    = exchange.inflow - dual_.balance[n].mass;
-            const double loss   = 0.5 * exchange.square - out * given.excess;
-            const double excess = -loss / exchange.inflow;
-            if (std::abs(excess - given.excess) > 10. * round_off * (std::abs(excess) + std::abs(given.excess)))
-              {
-                mixed_[i].excess = excess;
-                settled          = false;
-              }
-          }
+          if (at_owned_cell(drained_[i]))
+            changed |= mix_once(state, axis, drained_[i], mixed_[i]);
+          else
+            mixed_[i] = given_by(drained_[i]);
+        if (!halo.any(changed))
+          break;
         for (std::size_t i = 0; i < drained_.size(); ++i)
           {
             for (int d = 0; d < dim; ++d)
-              up_[d][drained_[i]] = down_[d][drained_[i]] = mixed_[i].velocity[d];
+              up_[d][drained_[i]] = mixed_[i].velocity[d];
             excess_[drained_[i]] = mixed_[i].excess;
           }
-        if (settled)
-          break;
+        // a chain of them may be longer than the halo is wide
+        halo.exchange({}, given);
+        for (const Index n : drained_)
+          for (int d = 0; d < dim; ++d)
+            down_[d][n] = up_[d][n];
       }
   }
 
@@ -268,14 +293,14 @@ namespace whipple
 
   template <int dim>
   void
-  MomentumTransport<dim>::change_of(const State<dim> &state, const int axis, const Index node,
-                                    const Mixture *const mixed, Change &change) const
+  MomentumTransport<dim>::change_of(const State<dim> &state, const int axis, const Index node, const bool drained,
+                                    Change &change) const
   {
     const double mass_before = state.node_mass[node], mass = dual_.balance[node].mass;
-    if (mixed)
+    if (drained)
       {
-        change.reference = mixed->velocity;
-        gather_drained(state, axis, node, mixed->velocity, change.exchange);
+        change.reference = given_by(node).velocity;
+        gather_drained(state, axis, node, change.reference, change.exchange);
         // what is left keeps the mixture
         return;
       }
@@ -331,7 +356,8 @@ namespace whipple
           }
         const bool drained = next_drained < drained_.size() && drained_[next_drained] == n;
         Change     change;
-        change_of(state, axis, n, drained ? &mixed_[next_drained++] : nullptr, change);
+        next_drained += drained;
+        change_of(state, axis, n, drained, change);
         if (mesh_->node_side[n])
           constrain(n, state.time, change, report);
         double loss = 0.5 * change.exchange.square;
@@ -415,11 +441,12 @@ namespace whipple
   void
   MomentumTransport<dim>::move(State<dim> &state, const SweepTopology<dim> &topology,
                                const std::vector<double> &mass_flux, const std::vector<double> &mass_before,
-                               const std::vector<double> &mass_after, RemapSums<dim> &report)
+                               const std::vector<double> &mass_after, const MeetingHalo<dim> &halo,
+                               RemapSums<dim> &report)
   {
     dual_.compute(state, topology, mass_flux, mass_before, mass_after);
     upwind_velocities(state, topology.axis, mass_after);
-    mix_drained_nodes(state, topology.axis);
+    mix_drained_nodes(state, topology.axis, halo);
     book_boundaries(state, topology, mass_flux, report);
     update_nodes(state, topology.axis, report);
     if (parameters_.kinetic_loss_to_heat)

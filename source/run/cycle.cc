@@ -156,7 +156,7 @@ namespace whipple
     if (effects_.pass.empty())
       return;
     effects_.books.clear(); // of a step that failed, too
-    const EffectHalo<dim> halo(halo_, meet);
+    const MeetingHalo<dim> halo(halo_, meet);
     lagrange_.evaluate_pressure(state, derived);
     bool stale = false;
     for (const auto &pass : effects_.pass)
@@ -192,7 +192,9 @@ namespace whipple
         remap_->begin(state);
         for (int i = 0; i < dim; ++i)
           {
-            agree(communicator, [&] { remap += remap_->sweep(state, (sweep_first + i) % dim); });
+            agree_in_parts(communicator, [&](const auto &meet) {
+              remap += remap_->sweep(state, (sweep_first + i) % dim, MeetingHalo<dim>(halo_, meet));
+            });
             exchange(state);
           }
         agree(communicator, [&] { remap_->finish(state); });

@@ -38,7 +38,7 @@ namespace whipple::effect_case
     void
     advance(State<2> &state, const Derived &derived, const StepWork<2> &before, double dt)
     {
-      passes_.pass.at(0)->advance({state, derived, before, dt, EffectHalo<2>(halo_, [] {}), passes_.books});
+      passes_.pass.at(0)->advance({state, derived, before, dt, MeetingHalo<2>(halo_, [] {}), passes_.books});
     }
 
     const EffectPass<2> &

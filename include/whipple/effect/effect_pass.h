@@ -2,12 +2,12 @@
 #pragma once
 
 #include <whipple/effect/effect_books.h>
-#include <whipple/effect/effect_halo.h>
 #include <whipple/effect/effect_parameters.h>
 #include <whipple/hydro/step_work.h>
 #include <whipple/hydro/time_step.h>
 #include <whipple/material/material.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/mesh/meeting_halo.h>
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
@@ -59,7 +59,7 @@ namespace whipple
     double dt; ///< us
 
     /// For what reaches further than one layer, or depends on what this pass has changed.
-    const EffectHalo<dim> &halo;
+    const MeetingHalo<dim> &halo;
 
     /// What is changed of mass, momentum or energy is entered here, under the causes that the effect declares.
     EffectBooks<dim> &books;

@@ -54,10 +54,11 @@ namespace whipple
 
     /// Move material through the faces normal to `axis`; updates cell volumes, materials (volume, mass, density,
     /// energy, phi, fields), node velocities and masses.
+    /// @param halo collective: the ranks meet once, and more often where nodes are drained on any of them
     /// @throws StateError where an owned cell would give away more than it holds (step too long), or material
     ///   would cross the end of the active region.
     RemapSums<dim>
-    sweep(State<dim> &state, int axis);
+    sweep(State<dim> &state, int axis, const MeetingHalo<dim> &halo = {});
 
     /// Nodes back to the undeformed mesh, exact volumes; cells full within 1e-10 become exactly full.
     /// @throws StateError where an owned cell's swept volumes do not add up to its volume.

@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/boundary.h>
 #include <whipple/mesh/flat_mesh.h>
+#include <whipple/mesh/meeting_halo.h>
 #include <whipple/remap/dual_flux.h>
 #include <whipple/remap/node_topology.h>
 #include <whipple/remap/remap_parameters.h>
@@ -28,9 +29,11 @@ namespace whipple
     /// Update node velocities and masses, and heat the material by the kinetic energy lost if so chosen.
     /// @param mass_flux   [face + 1] of all materials, along + axis
     /// @param mass_before, mass_after [cell] of all materials, around the sweep
+    /// @param halo collective: what drained nodes give is exchanged
     void
     move(State<dim> &state, const SweepTopology<dim> &topology, const std::vector<double> &mass_flux,
-         const std::vector<double> &mass_before, const std::vector<double> &mass_after, RemapSums<dim> &report);
+         const std::vector<double> &mass_before, const std::vector<double> &mass_after, const MeetingHalo<dim> &halo,
+         RemapSums<dim> &report);
 
   private:
     /// Sums over the fluxes F (inwards positive) of velocity u relative to the node's: F u and F u^2.
@@ -101,8 +104,24 @@ namespace whipple
     Vector<dim>
     carried_across(Index from) const;
 
+    /// What leaves a node, by its velocity up the axis.
+    Mixture
+    given_by(const Index node) const
+    {
+      Mixture given{{}, excess_[node]};
+      for (int d = 0; d < dim; ++d)
+        given.velocity[d] = up_[d][node];
+      return given;
+    }
+    std::vector<std::vector<double> *>
+    arrays_given();
+
+    /// Mix what a drained node held with what flows in.
+    /// @returns whether it gives something else now, beyond round-off
+    bool
+    mix_once(const State<dim> &state, int axis, Index node, Mixture &mixed) const;
     void
-    mix_drained_nodes(const State<dim> &state, int axis);
+    mix_drained_nodes(const State<dim> &state, int axis, const MeetingHalo<dim> &halo);
     void
     add_flux(Index from, const std::array<std::vector<double>, dim> &upwind, double flux, double excess,
              const Vector<dim> &velocity, Exchange &exchange) const;
@@ -122,7 +141,7 @@ namespace whipple
     Vector<dim>
     first_velocity(int axis, Index node) const;
     void
-    change_of(const State<dim> &state, int axis, Index node, const Mixture *mixed, Change &change) const;
+    change_of(const State<dim> &state, int axis, Index node, bool drained, Change &change) const;
     void
     constrain(Index node, double time, Change &change, RemapSums<dim> &report) const;
     void
@@ -138,6 +157,16 @@ namespace whipple
     counts(const Index node) const
     {
       return mesh_->node_corner[mesh_->node_corner_begin[node]] / FlatMesh<dim>::corners < mesh_->n_owned;
+    }
+
+    /// Whether this rank finds all that flows into the node.
+    bool
+    at_owned_cell(const Index node) const
+    {
+      for (Index i = mesh_->node_corner_begin[node]; i < mesh_->node_corner_begin[node + 1]; ++i)
+        if (mesh_->node_corner[i] / FlatMesh<dim>::corners < mesh_->n_owned)
+          return true;
+      return false;
     }
 
     const FlatMesh<dim>  *mesh_;
