@@ -16,6 +16,9 @@ namespace whipple
   {
     using namespace projection;
 
+    /// Voids pressed out of less than this share of a cell are round-off.
+    constexpr double pressed_noticed = 1e-6;
+
     void
     check_covered(double elements, double left, double laid_down)
     {
@@ -61,7 +64,7 @@ namespace whipple
                             {.event = gather_slivers(communicator, mesh, halo, state, limits.sliver, deposit.laid())});
 
     const CornerVelocities<2> corners = deposit.finish();
-    std::array<double, 3>     sums{found, 0., 0.};
+    std::array<double, 4>     sums{found, 0., 0., 0.};
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
         const Squeeze squeeze = squeeze_overfull<2>(state, cell);
@@ -69,13 +72,15 @@ namespace whipple
           {
             sums[1] += squeeze.pores;
             sums[2] += squeeze.solid;
+            sums[3] += squeeze.pores > pressed_noticed * state.volume[cell];
           }
       }
     result.bookings.enter(laid_down::projection,
                           sum_over_ranks(gather_velocities<2>(mesh, boundaries, corners, loss, state), communicator));
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, communicator);
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, communicator);
     result.pores_squeezed   = sums[1] + spread.pores_squeezed;
     result.solid_compressed = sums[2];
+    result.bookings.note(laid_down::pressed, sums[3] + spread.moved.number, result.pores_squeezed, "cm^3");
     check_covered(result.elements.mass, left.mass, sums[0]);
     return result;
   }

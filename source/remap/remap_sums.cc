@@ -28,6 +28,8 @@ namespace whipple
     result.enter(remap, lost_kinetic_energy<dim>(kinetic_lost, loss));
     result.enter("overfull cells compressed",
                  {.event = Event{static_cast<double>(cells_compressed), compressed, "cm^3"}});
+    result.enter("remnants given away by cells left almost empty",
+                 {.event = Event{static_cast<double>(remnant_cells), remnant_mass, "g"}});
     return result;
   }
 

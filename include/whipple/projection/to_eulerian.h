@@ -40,6 +40,7 @@ namespace whipple
     inline constexpr const char *projection = "projection"; ///< nodes made of the velocities of what was laid down
     inline constexpr const char *beyond     = "elements laid down beyond the domain";
     inline constexpr const char *spread     = "overlapping pieces laid down, solid moved to where there is room";
+    inline constexpr const char *pressed    = "voids pressed out where what was laid down overlaps";
     inline constexpr const char *slivers    = "slivers joined to a neighbour as all was laid anew";
     inline constexpr const char *folded     = "folded elements laid down";
     inline constexpr const char *mirrored   = "corners beyond the axis laid down as their mirror image";
