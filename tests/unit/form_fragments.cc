@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 
 namespace
 {
@@ -83,7 +85,7 @@ namespace
           const Cloud               cloud(symmetry, 0.2);
           FragmentReport            report;
           const std::vector<double> sizes(cloud.elements.size(), size);
-          const auto                pieces = form_fragments(cloud.view(loss), cloud.elements, sizes, report);
+          const auto pieces = form_fragments(cloud.view(loss), cloud.elements, sizes, Rings::solid, report);
           ASSERT_EQ(pieces.size(), cloud.elements.size());
           const auto before = cloud.totals(cloud.elements), after = cloud.totals(pieces);
           EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
@@ -117,12 +119,66 @@ namespace
         }
   }
 
+  TEST(FormFragments, AThinnedRingKeepsTheSectionThatItsFragmentsHaveAndHoldsVoid)
+  {
+    const Cloud               cloud(Symmetry::axisymmetric, 0.2);
+    FragmentReport            report;
+    const std::vector<double> sizes(cloud.elements.size(), size);
+    const auto                pieces = form_fragments(cloud.view(), cloud.elements, sizes, Rings::thinned, report);
+    const auto                solid  = form_fragments(cloud.view(), cloud.elements, sizes, Rings::solid, report);
+    const auto before = cloud.totals(cloud.elements), after = cloud.totals(pieces), dense = cloud.totals(solid);
+    EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
+    EXPECT_NEAR(after.momentum[1], before.momentum[1], 1e-13 * before.momentum[1]);
+    EXPECT_NEAR(after.kinetic_energy, dense.kinetic_energy, 1e-13 * before.kinetic_energy);
+    EXPECT_NEAR(cloud.moment(pieces), cloud.moment(cloud.elements), 1e-9 * cloud.moment(pieces));
+
+    struct Ring
+    {
+      double solid = 0, cells = 0, moment = 0; ///< of the cells it came from: volume of solid, area, area times radius
+      double section = 0, filled = 0;          ///< now: area, volume of solid
+      bool   on_axis = false;
+    };
+    std::map<long, Ring> rings;
+    const auto           area = [](const Element<2> &e) {
+      return (e.position[0][1] - e.position[0][0]) * (e.position[1][2] - e.position[1][0]);
+    };
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      {
+        Ring        &ring = rings[pieces[i].piece];
+        const double h    = cloud.grid.extent(key_level(pieces[i].key)) * cloud.grid.spacing;
+        const double r    = cloud.grid.origin[0] + cloud.grid.spacing * key_point<2>(pieces[i].key)[0] + 0.5 * h;
+        ring.cells += h * h;
+        ring.moment += h * h * r;
+        ring.section += area(pieces[i]);
+        ring.on_axis = ring.on_axis || r < h;
+        for (int m = 0; m < 2; ++m)
+          {
+            const auto full = [&](const CellPacket &p) {
+              return p[cloud.layout.volume(m)] * (1. - p[cloud.layout.void_fraction(m)]);
+            };
+            ring.solid += full(cloud.elements[i].packet);
+            ring.filled += full(pieces[i].packet);
+          }
+      }
+    int off_axis = 0;
+    for (const auto &[number, ring] : rings)
+      {
+        EXPECT_NEAR(ring.filled, ring.solid, 1e-12 * ring.solid);
+        if (ring.on_axis)
+          continue;
+        ++off_axis;
+        // Pappus, where they came from
+        EXPECT_NEAR(2. * std::numbers::pi * ring.moment / ring.cells * ring.section, ring.solid, 1e-11 * ring.solid);
+      }
+    EXPECT_GT(off_axis, 5);
+  }
+
   TEST(FormFragments, ThePieceOnTheAxisIsOneFragmentAndDoesNotLeaveIt)
   {
     const Cloud               cloud(Symmetry::axisymmetric, 0.2);
     FragmentReport            report;
     const std::vector<double> sizes(cloud.elements.size(), size);
-    const auto                pieces   = form_fragments(cloud.view(), cloud.elements, sizes, report);
+    const auto                pieces   = form_fragments(cloud.view(), cloud.elements, sizes, Rings::solid, report);
     double                    farthest = 0;
     int                       on_axis  = 0;
     for (const Element<2> &piece : pieces)
@@ -148,7 +204,7 @@ namespace
         for (std::size_t i = 0; i < sizes.size(); ++i)
           if (cloud.elements[i].position[1][0] > 3.1)
             sizes[i] = i % 2 ? 0. : 0.03; // has not broken; smaller than two cells
-        const auto pieces = form_fragments(cloud.view(), cloud.elements, sizes, report);
+        const auto pieces = form_fragments(cloud.view(), cloud.elements, sizes, Rings::solid, report);
         for (std::size_t i = 0; i < sizes.size(); ++i)
           {
             if (sizes[i] == size)
