@@ -2,6 +2,7 @@
 // The debris cloud of every Lagrangian stage, when it takes over and when it ends.
 #include <whipple/diagnostics/debris_measure.h>
 #include <whipple/diagnostics/measure.h>
+#include <whipple/effect/scene_outlook.h>
 #include <whipple/ledger/ledger.h>
 #include <whipple/ledger/totals.h>
 
@@ -67,6 +68,25 @@ namespace whipple
       stage_ends(const MeasureView<dim> &view, MeasureReport &report) const override
       {
         measure(view, "", report);
+      }
+
+      std::vector<std::string>
+      lines(const Scene<dim> &scene, std::size_t stage,
+            const std::map<std::string, ResultTable> &results) const override
+      {
+        const std::string &name  = scene.stages[stage].name;
+        const auto         found = results.find(name);
+        if (scene.stages[stage].mode() != StageMode::lagrangian || found == results.end())
+          return {};
+        const auto value = [&](const char *quantity) { return number_in(found->second, quantity).value_or(0.); };
+        if (!(value("mass_g") > 0))
+          return {name + ": nothing flies on"};
+        constexpr double km_s = 10.; // cm/us
+        return {name + ": " + rounded(value("mass_g")) + " g at " + rounded(km_s * value("mass_velocity_cm_per_us")) +
+                " km/s, front at " + rounded(value("leading_edge_cm")) + " cm with " +
+                rounded(km_s * value("leading_edge_velocity_cm_per_us")) + " km/s, cone " +
+                rounded(value("cone_angle_deg")) + " degrees, 95 % within " + rounded(value("depth_95_cm")) +
+                " cm behind the plate, at " + rounded(value("time_us")) + " us"};
       }
 
       void

@@ -2,7 +2,9 @@
 // Holes and craters of the plates at the end of every Eulerian stage.
 #include <whipple/diagnostics/measure.h>
 #include <whipple/diagnostics/plate_measure.h>
+#include <whipple/effect/scene_outlook.h>
 
+#include <algorithm>
 #include <optional>
 #include <variant>
 
@@ -26,6 +28,28 @@ namespace whipple
           value = std::monostate{};
       results["measured_at_us"] = time;
       return results;
+    }
+
+    /// Holes and craters in one line.
+    std::string
+    in_words(const std::string &plate, const ResultTable &table)
+    {
+      const auto length = [&](const char *quantity) {
+        return rounded(number_in(table, quantity).value_or(0.)) + " cm";
+      };
+      const bool *perforated = std::get_if<bool>(&table.at("perforated"));
+      std::string text       = plate + ": ";
+      if (!perforated)
+        return text + "could not be measured (thinner than a cell, or nothing of it is left)";
+      if (*perforated)
+        text += "perforated, hole " + length("hole_diameter_cm") +
+                " (clear for a straight flight: " + length("smallest_hole_diameter_cm") + ")";
+      else
+        text += "holds, crater " + length("crater_depth_cm") + ", rear bulge " + length("rear_bulge_cm") +
+                ", least thickness " + length("least_thickness_cm");
+      if (number_in(table, "detached_mass_g").value_or(0.) > 0)
+        text += ", detached " + rounded(*number_in(table, "detached_mass_g")) + " g";
+      return text + ", at " + rounded(number_in(table, "measured_at_us").value_or(0.)) + " us";
     }
 
     template <int dim>
@@ -68,6 +92,25 @@ namespace whipple
                 whole.perforation_margin  = -whole.least_thickness;
                 report.results[body.name] = plate_results(whole, view.state.time);
               }
+      }
+
+      std::vector<std::string>
+      lines(const Scene<dim> &scene, std::size_t stage,
+            const std::map<std::string, ResultTable> &results) const override
+      {
+        std::vector<std::string> told;
+        for (const std::size_t plate : measured_plates(scene, stage))
+          {
+            bool again = false;
+            for (std::size_t later = stage + 1; later < scene.stages.size() && !again; ++later)
+              {
+                const auto plates = measured_plates(scene, later);
+                again             = std::find(plates.begin(), plates.end(), plate) != plates.end();
+              }
+            if (const auto found = results.find(scene.bodies[plate].name); !again && found != results.end())
+              told.push_back(in_words(found->first, found->second));
+          }
+        return told;
       }
 
       void

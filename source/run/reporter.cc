@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/phase_measure.h>
+#include <whipple/output/duration.h>
 #include <whipple/output/first_rank.h>
 #include <whipple/problem/effect_forecast.h>
 #include <whipple/problem/scene_warnings.h>
@@ -332,6 +333,22 @@ namespace whipple
     else if (const bool *verdict = std::get_if<bool>(&value))
       text += *verdict ? " yes" : " no";
     log_.info(text + " (" + bar.verdict + ')');
+  }
+
+  template <int dim>
+  void
+  Reporter<dim>::tell(const summary::Summary &summary)
+  {
+    const std::vector<std::string> found = result_lines(scene_, summary.results);
+    if (!found.empty())
+      log_.info("results:");
+    for (const std::string &line : found)
+      log_.info("  " + line);
+    const summary::Performance &cost = summary.performance;
+    log_.info(summary.status + " in " + duration(cost.wall_s) + " on " + std::to_string(cost.ranks) +
+              (cost.ranks == 1 ? " rank, " : " ranks, ") +
+              format("%.3g million cell steps, %.0f MB", 1e-6 * cost.active_cell_steps, 1e-6 * cost.peak_rss_bytes));
+    log_.info("output in " + directory_ + "; pictures: ./whipple plot " + directory_);
   }
 
   template <int dim>

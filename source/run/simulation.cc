@@ -324,6 +324,7 @@ namespace whipple
         summary.counts.events[cause] = {booking.event->number, booking.event->size, booking.event->unit};
     on_first_rank<Error>(communicator, [&] { summary::write(summary, directory_); });
     reporter_.flush();
+    reporter_.tell(summary);
   }
 
   template <int dim>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/output/duration.h>
 #include <whipple/problem/effect_forecast.h>
 #include <whipple/problem/scene_warnings.h>
 #include <whipple/run/resume.h>
@@ -67,6 +68,24 @@ namespace whipple
           std::cout << "warning: " << line << std::endl;
     }
 
+    /// That the scene can be run, and what it is likely to take.
+    void
+    print_estimate(const Problem<2> &problem, MPI_Comm communicator)
+    {
+      int rank = 0;
+      MPI_Comm_rank(communicator, &rank);
+      if (rank != 0)
+        return;
+      const CostEstimate estimate = estimate_cost(problem);
+      const std::size_t  stages   = problem.scene.stages.size();
+      std::cout << problem.scene.file << ": fine. " << stages << (stages == 1 ? " stage" : " stages");
+      if (estimate.steps > 0)
+        std::cout << ", about " << rounded(estimate.steps) << " steps of at most " << rounded(estimate.cells)
+                  << " cells: " << duration(estimate.seconds) << " of one core, " << rounded(1e-6 * estimate.bytes)
+                  << " MB";
+      std::cout << " (within a factor of 3)" << std::endl;
+    }
+
     /// What the scene has, and what `auto` would choose for it.
     void
     print_effects(const Problem<2> &problem, MPI_Comm communicator)
@@ -104,7 +123,10 @@ namespace whipple
     if (options.effects_report)
       print_effects(problem, communicator);
     if (options.validate_only)
-      print_warnings(problem, communicator);
+      {
+        print_warnings(problem, communicator);
+        print_estimate(problem, communicator);
+      }
     if (options.validate_only || options.effects_report)
       return;
     const double wall_start = MPI_Wtime();

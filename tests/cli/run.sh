@@ -14,3 +14,12 @@ grep -q '"status": "completed"' output/sod/summary.json
 grep -q '^time \[us\],' output/sod/statistics.csv || { head -n 1 output/sod/statistics.csv; exit 1; }
 # the parameters in force are a scene that reads back
 "$program" run output/sod/parameters.prm --validate
+# a shield ends with what became of each plate and gap, in the order of the flight, in the log as well
+"$program" run "$source/prm/whipple_shield.prm" --output output/shield --set 'Mesh/Finest cell = 0.064 cm' \
+  --set 'Mesh/Levels = 2' --set 'Stages/perforation/End = 0.8 us' --set 'Stages/wall/End = for 0.1 us' \
+  --set 'Output/Fields interval = none' >said.txt
+sed -n '/^results:/,$p' output/shield/log.txt >results.txt
+sed -n '2,4s/^  \([a-z]*\): .*/\1/p' results.txt >places.txt
+printf 'bumper\ndebris\nwall\n' | cmp - places.txt
+grep -q '^completed in .* on 1 rank' results.txt
+tail -n 1 said.txt | grep -q '^output in output/shield'

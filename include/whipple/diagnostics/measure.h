@@ -78,6 +78,14 @@ namespace whipple
     {
     }
 
+    /// What it has found in a stage, in words: a line a plate or gap, for the end of the log. What it found anew in a
+    /// later stage is told there. Not collective.
+    virtual std::vector<std::string>
+    lines(const Scene<dim> &, std::size_t /*stage*/, const std::map<std::string, ResultTable> & /*results*/) const
+    {
+      return {};
+    }
+
     /// Enter all results that a scene will have from this measure if it runs to its end; only names and types count.
     virtual void
     expect(const Problem<dim> &, std::map<std::string, ResultTable> &) const
@@ -160,6 +168,11 @@ namespace whipple
   private:
     typename MeasureRegistry<dim>::Registered registered_;
   };
+
+  /// The results of a run in words, in the order in which debris meets what they tell of.
+  template <int dim>
+  std::vector<std::string>
+  result_lines(const Scene<dim> &scene, const std::map<std::string, ResultTable> &results);
 
   /// All results that there will be if a run runs to its end, by place; only names and types count.
   template <int dim>

@@ -56,6 +56,10 @@ namespace whipple
     result(const std::string &place, const std::string &quantity, const summary::Result &value,
            const summary::ErrorBar &bar);
 
+    /// What a run has found and cost, and what to do with it: a few lines at its end.
+    void
+    tell(const summary::Summary &summary);
+
     /// Write the last good state beside the output.
     void
     failed(const Stage &stage, RunState<dim> &run, const std::string &reason);
