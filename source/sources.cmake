@@ -307,6 +307,7 @@ set(WHIPPLE_MEASURES
     source/diagnostics/debris_spectrum_results.cc
     source/diagnostics/fragment_results.cc
     source/diagnostics/gauges.cc
+    source/diagnostics/history.cc
     source/diagnostics/gauges_section.cc
     source/diagnostics/phase_results.cc
     source/diagnostics/plate_load_results.cc

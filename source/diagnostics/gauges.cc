@@ -378,12 +378,12 @@ namespace whipple
     };
 
     std::unique_ptr<const Watch<2>>
-    watch(const Scene<2> &scene, const FieldLayout &layout)
+    watch(const Problem<2> &problem)
     {
-      const auto found = scene.extra.find(Gauges<2>::section);
-      if (found == scene.extra.end())
+      const auto found = problem.scene.extra.find(Gauges<2>::section);
+      if (found == problem.scene.extra.end())
         return nullptr;
-      return std::make_unique<GaugeWatch<2>>(static_cast<const Gauges<2> &>(*found->second).list, layout);
+      return std::make_unique<GaugeWatch<2>>(static_cast<const Gauges<2> &>(*found->second).list, problem.layout);
     }
 
     const MeasureRegistration<2> registration(50, "gauges", watch);

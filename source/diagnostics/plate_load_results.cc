@@ -127,10 +127,10 @@ namespace whipple
     };
 
     std::unique_ptr<const Watch<2>>
-    watch(const Scene<2> &scene, const FieldLayout &)
+    watch(const Problem<2> &problem)
     {
-      const auto plate = loaded_plate(scene);
-      return plate ? std::make_unique<LoadWatch<2>>(scene, *plate) : nullptr;
+      const auto plate = loaded_plate(problem.scene);
+      return plate ? std::make_unique<LoadWatch<2>>(problem.scene, *plate) : nullptr;
     }
 
     const MeasureRegistration<2> registration(45, name_of_watch, std::make_shared<Loads<2>>(), watch);

@@ -91,7 +91,7 @@ namespace whipple
   {
     for (const auto &[key, entry] : MeasureRegistry<dim>::all())
       {
-        auto watch = entry.watch ? entry.watch(scene_, layout_) : nullptr;
+        auto watch = entry.watch ? entry.watch(problem_) : nullptr;
         if (!watch)
           continue;
         Watching watching{key.second, std::move(watch), {}, {}};

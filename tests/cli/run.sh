@@ -23,3 +23,16 @@ sed -n '2,4s/^  \([a-z]*\): .*/\1/p' results.txt >places.txt
 printf 'bumper\ndebris\nwall\n' | cmp - places.txt
 grep -q '^completed in .* on 1 rank' results.txt
 tail -n 1 said.txt | grep -q '^output in output/shield'
+# ... and leaves them against time: the last line before the end of a stage is close to what that stage ended with
+/usr/bin/python3 - output/shield <<'P'
+import csv, json, sys
+results = json.load(open(sys.argv[1] + "/summary.json"))["results"]
+rows = list(csv.DictReader(open(sys.argv[1] + "/history.csv")))
+times = [float(row["time_us"]) for row in rows]
+assert times == sorted(times) and len(rows) > 8, times
+last = [row for row in rows if row["stage"] == "1"][-1]
+assert float(last["bumper crater_depth_cm"]) > 0 and last["debris mass_g"] == "nan", last
+for place, quantity, stage in (("bumper", "hole_diameter_cm", "1"), ("debris", "mass_g", "2")):
+    found = float([row for row in rows if row["stage"] == stage][-1][f"{place} {quantity}"])
+    assert abs(found - results[place][quantity]) <= 0.1 * abs(results[place][quantity]), (found, results[place][quantity])
+P

@@ -130,8 +130,7 @@ namespace whipple
   struct MeasureKind
   {
     /// Something to watch in this scene; null if there is nothing.
-    using MakeWatch =
-        std::function<std::unique_ptr<const Watch<dim>>(const Scene<dim> &scene, const FieldLayout &layout)>;
+    using MakeWatch = std::function<std::unique_ptr<const Watch<dim>>(const Problem<dim> &problem)>;
 
     std::shared_ptr<const Measure<dim>> measure; ///< null: it only watches
     MakeWatch                           watch;   ///< empty: it never watches

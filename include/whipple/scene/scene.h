@@ -177,6 +177,7 @@ namespace whipple
     bool                  hdf5                = true; ///< HDF5 + XDMF
     bool                  vtu                 = false;
     double                statistics_interval = 0; ///< us; 0: every step
+    std::optional<double> history_interval;        ///< us; none: no history.csv
     std::optional<double> checkpoint_interval;     ///< s of wall time; none: checkpoints at the ends of stages only
     std::optional<double> wall_time_limit;         ///< s; none: no limit
     int error_estimate_levels = 0; ///< cell sizes, the scene's own included, that error bars are taken from; 0: none
