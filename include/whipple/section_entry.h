@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 /// Entries of a scene's section that belong to something which registers itself: they stand in its own file, and the
 /// rooms of the scene need not know what they mean.
@@ -20,5 +21,7 @@ namespace whipple
     std::function<int(const std::string &key, int lower, int upper)>          integer;
     std::function<double(const std::string &key, double lower, double upper)> number;
     std::function<double(const std::string &key)>                             length; ///< positive, cm
+    /// Which of the allowed names it is.
+    std::function<std::size_t(const std::string &key, const std::vector<std::string> &allowed)> choice;
   };
 } // namespace whipple

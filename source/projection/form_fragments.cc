@@ -40,9 +40,10 @@ namespace whipple::projection
     class Piece
     {
     public:
-      Piece(const LandingView &view, std::span<const Parcel> parcels, std::span<const std::size_t> element_of,
-            const ParcelGroup &group)
+      Piece(const LandingView &view, Rings rings, std::span<const Parcel> parcels,
+            std::span<const std::size_t> element_of, const ParcelGroup &group)
         : view_(view)
+        , rings_(rings)
         , parcels_(parcels)
         , element_of_(element_of)
         , group_(group)
@@ -75,7 +76,17 @@ namespace whipple::projection
             from_[0] = to_[0] = 0.;
           }
         else
-          scale_ = std::sqrt(solid_ / (circumference(view_.lattice.symmetry, to_[0]) * area));
+          {
+            const auto scale_at = [&](double r) {
+              return std::sqrt(solid_ / (circumference(view_.lattice.symmetry, r) * area));
+            };
+            scale_ = scale_at(to_[0]);
+            if (rings_ == Rings::thinned && ring && from_[0] < to_[0])
+              {
+                scale_         = scale_at(from_[0]);
+                void_fraction_ = 1. - from_[0] / to_[0];
+              }
+          }
         if (ring && to_[0] + scale_ * (least - from_[0]) < 0)
           return false;
         // along z the centre of mass stays: a ring's volume does not change when it is moved
@@ -178,7 +189,8 @@ namespace whipple::projection
         for (int m = 0; m < layout.n_materials(); ++m)
           {
             element.packet[layout.mass(m)] *= share;
-            element.packet[layout.volume(m)] *= share;
+            element.packet[layout.volume(m)] *= share / (1. - void_fraction_);
+            element.packet[layout.void_fraction(m)] = void_fraction_;
             if (view_.loss == KineticLoss::heat && element.packet[layout.mass(m)] > 0)
               element.packet[layout.energy(m)] += lost / total_.mass;
           }
@@ -194,16 +206,18 @@ namespace whipple::projection
       }
 
       const LandingView           &view_;
+      const Rings                  rings_;
       std::span<const Parcel>      parcels_;
       std::span<const std::size_t> element_of_;
       const ParcelGroup           &group_;
 
       Motion     total_;
-      CellPacket mixture_;         ///< of all its elements: masses and volumes of solid add up, the rest are means
-      double     solid_   = 0;     ///< cm^3
-      bool       on_axis_ = false; ///< touches it
-      Vector<2>  from_{}, to_{};   ///< what it is shrunk about: where its cells were, and where it is
-      double     scale_ = 1;       ///< c
+      CellPacket mixture_;           ///< of all its elements: masses and volumes of solid add up, the rest are means
+      double     solid_   = 0;       ///< cm^3
+      bool       on_axis_ = false;   ///< touches it
+      Vector<2>  from_{}, to_{};     ///< what it is shrunk about: where its cells were, and where it is
+      double     scale_         = 1; ///< c
+      double     void_fraction_ = 0; ///< between the fragments of a thinned ring
     };
 
     /// Whether fragments of the size that an element breaks into are large enough to be shown.
@@ -216,7 +230,7 @@ namespace whipple::projection
   } // namespace
 
   std::vector<Element<2>>
-  form_fragments(const LandingView &view, std::vector<Element<2>> elements, std::span<const double> size,
+  form_fragments(const LandingView &view, std::vector<Element<2>> elements, std::span<const double> size, Rings rings,
                  FragmentReport &report)
   {
     std::vector<Parcel>      parcels;
@@ -236,7 +250,7 @@ namespace whipple::projection
     for (const ParcelGroup &set : touching_sets(parcels))
       for (const ParcelGroup &group : cut_into_fragments(view.lattice.symmetry, parcels, set))
         {
-          Piece piece(view, parcels, element_of, group);
+          Piece piece(view, rings, parcels, element_of, group);
           if (piece.settle(elements))
             piece.write(elements, report);
           else

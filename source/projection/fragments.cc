@@ -6,14 +6,17 @@ namespace whipple
 {
   namespace
   {
-    const std::string size_key = "Fragment size", from_model = "model";
+    const std::string              size_key = "Fragment size", from_model = "model";
+    const std::string              rings_key = "Fragment rings";
+    const std::vector<std::string> rings_names{"solid", "thinned"}; // in the order of Rings
 
     class Fragments : public Representation
     {
     public:
       /// @param size of all fragments, cm; not given: what the effect "fragment size" carries
-      explicit Fragments(std::optional<double> size)
+      Fragments(std::optional<double> size, projection::Rings rings)
         : size_(size)
+        , rings_(rings)
       {
       }
 
@@ -25,7 +28,7 @@ namespace whipple
           for (std::size_t i = 0; i < elements.size(); ++i)
             size[i] = carried_size(view, elements[i].packet);
         projection::FragmentReport report;
-        elements                          = projection::form_fragments(view, std::move(elements), size, report);
+        elements                          = projection::form_fragments(view, std::move(elements), size, rings_, report);
         Booking<2> formed                 = lost_kinetic_energy<2>(report.kinetic_loss, view.loss);
         formed.left.emplace().momentum[0] = report.axis_impulse;
         formed.event                      = Event{static_cast<double>(report.pieces), report.mass, "g"};
@@ -64,17 +67,26 @@ namespace whipple
       }
 
       std::optional<double> size_;
+      projection::Rings     rings_;
     };
+
+    std::shared_ptr<const Representation>
+    read(const SectionInput &input)
+    {
+      const auto rings = static_cast<projection::Rings>(input.choice(rings_key, rings_names));
+      return std::make_shared<Fragments>(
+          input.text(size_key) == from_model ? std::nullopt : std::optional<double>(input.length(size_key)), rings);
+    }
 
     const RepresentationRegistration
         registration("fragments",
                      {"solid pieces of a physical size",
                       {{size_key, from_model,
-                        "fragments: model (from the effect \"fragment size\") | a length, the size of all fragments"}},
-                      [](const SectionInput &input) {
-                        return std::make_shared<Fragments>(input.text(size_key) == from_model
-                                                               ? std::nullopt
-                                                               : std::optional<double>(input.length(size_key)));
-                      }});
+                        "fragments: model (from the effect \"fragment size\") | a length, the size of all fragments"},
+                       {rings_key, "thinned",
+                        "fragments, off the axis: thinned (a ring's section stays a fragment's, void opens in it as it "
+                        "flies outwards) | "
+                        "solid (the section shrinks)"}},
+                      read});
   } // namespace
 } // namespace whipple

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/projection/representation.h>
 
+#include <algorithm>
+
 #include <stdexcept>
 
 namespace whipple
@@ -18,7 +20,10 @@ namespace whipple
     const auto none_given = [](const std::string &key, auto...) -> double {
       throw std::out_of_range("no number is given for '" + key + "'");
     };
-    return entry.read({preset, none_given, none_given, none_given});
+    const auto chosen = [&](const std::string &key, const std::vector<std::string> &allowed) -> std::size_t {
+      return std::find(allowed.begin(), allowed.end(), preset(key)) - allowed.begin();
+    };
+    return entry.read({preset, none_given, none_given, none_given, chosen});
   }
 
   std::string

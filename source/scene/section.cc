@@ -91,6 +91,9 @@ namespace whipple
       return between(key, units::number, low, high);
     };
     input.length = [this](const std::string &key) { return positive(key, units::length); };
+    input.choice = [this](const std::string &key, const std::vector<std::string> &allowed) {
+      return name_index(key, text(key), allowed);
+    };
     return input;
   }
 

@@ -7,6 +7,13 @@
 
 namespace whipple::projection
 {
+  /// What a piece off the axis is, in axisymmetry: a ring that stands for the many fragments around it.
+  enum class Rings
+  {
+    solid,  ///< its section shrinks as it flies outwards
+    thinned ///< its section stays as large as the fragments; void opens between them as they move apart
+  };
+
   /// What forming fragments did; all ranks know all of it.
   struct FragmentReport
   {
@@ -23,6 +30,6 @@ namespace whipple::projection
   /// @param size     of the fragments that each element breaks into, cm; not positive: it has not broken
   /// @returns as many elements, with the same keys; those of a piece have its number
   std::vector<Element<2>>
-  form_fragments(const LandingView &view, std::vector<Element<2>> elements, std::span<const double> size,
+  form_fragments(const LandingView &view, std::vector<Element<2>> elements, std::span<const double> size, Rings rings,
                  FragmentReport &report);
 } // namespace whipple::projection
