@@ -80,7 +80,8 @@ namespace whipple
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, communicator);
     result.pores_squeezed   = sums[1] + spread.pores_squeezed;
     result.solid_compressed = sums[2];
-    result.bookings.note(laid_down::pressed, sums[3] + spread.moved.number, result.pores_squeezed, "cm^3");
+    result.bookings.note(laid_down::pressed, sums[3] + (spread.pores_squeezed > 0 ? spread.moved.number : 0.),
+                         result.pores_squeezed, "cm^3");
     check_covered(result.elements.mass, left.mass, sums[0]);
     return result;
   }

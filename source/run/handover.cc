@@ -245,24 +245,33 @@ namespace whipple
   Handover<dim>::lay_down(const Stage &stage, const std::vector<Element<dim>> &elements, double sliver,
                           const Bookings<dim> &gathered, Domain<dim> &domain, Ledger<dim> &ledger) const
   {
-    const MPI_Comm communicator = domain.communicator();
-    const auto     layout       = CellPacketLayout<dim>::of(domain.state);
-
-    // where pieces overlap, what does not fit needs room: if the mesh around them has too little, more of it
+    const auto        layout = CellPacketLayout<dim>::of(domain.state);
     const Ledger<dim> before = ledger;
-    LaidDown<dim>     laid;
+    Bookings<dim>     laid   = lay_where_there_is_room(stage, elements, layout, sliver, domain, [&](int buffer) {
+      build_around(elements, layout, stage, buffer, domain);
+      ledger = before;
+      paint(stage, domain, ledger);
+    });
+    laid += gathered;
+    ledger.enter(laid);
+  }
+
+  template <int dim>
+  Bookings<dim>
+  Handover<dim>::lay_where_there_is_room(const Stage &stage, const std::vector<Element<dim>> &elements,
+                                         const CellPacketLayout<dim> &layout, double sliver, Domain<dim> &domain,
+                                         const std::function<void(int buffer)> &make_mesh) const
+  {
     for (int buffer = scene_.mesh.buffer;; buffer *= 2)
       {
-        build_around(elements, layout, stage, buffer, domain);
-        ledger = before;
-        paint(stage, domain, ledger);
+        make_mesh(buffer);
         try
           {
             const std::vector<std::uint8_t> edge = Regridding<dim>::edge_flags(*domain.view);
-            laid = to_eulerian(communicator, scene_.lattice, layout, elements, *stage.representation, domain.view->mesh,
-                               domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
-                               stage.lost_kinetic_energy, domain.state);
-            break;
+            return to_eulerian(domain.communicator(), scene_.lattice, layout, elements, *stage.representation,
+                               domain.view->mesh, domain.view->halo, LayDownLimits{edge, sliver}, scene_.boundaries,
+                               stage.lost_kinetic_energy, domain.state)
+                .bookings;
           }
         catch (const NoRoomError &)
           {
@@ -270,8 +279,6 @@ namespace whipple
               throw;
           }
       }
-    laid.bookings += gathered;
-    ledger.enter(laid.bookings);
   }
 
   template <int dim>

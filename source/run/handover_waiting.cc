@@ -102,29 +102,16 @@ namespace whipple
     if (coming.empty())
       return false;
     const auto elements = elements_at(scene_.lattice.symmetry, layout, coming, domain.state.time);
-    // if the mesh around them has too little room for what overlaps, more of it
-    for (int buffer = scene_.mesh.buffer;; buffer *= 2)
-      {
-        ledger.enter(Regridding<dim>::cause, regridding_.regrid(domain, stage.lost_kinetic_energy, {}, [&](auto &map) {
-          request(elements, layout, buffer, map);
-        }));
-        try
-          {
-            const std::vector<std::uint8_t> edge = Regridding<dim>::edge_flags(*domain.view);
-            ledger.enter(to_eulerian(communicator, scene_.lattice, layout, elements, *stage.representation,
-                                     domain.view->mesh, domain.view->halo, LayDownLimits{edge, 0.}, scene_.boundaries,
-                                     stage.lost_kinetic_energy, domain.state)
-                             .bookings);
-            break;
-          }
-        catch (const NoRoomError &)
-          {
-            if (buffer > largest_buffer)
-              throw;
-            LagrangeStep<dim>(domain.view->mesh, layout_.materials, scene_.boundaries, scene_.numerics.hydro)
-                .evaluate(domain.state, domain.derived);
-          }
-      }
+    bool       stale    = false; // what follows from the state, after a try on another mesh
+    ledger.enter(lay_where_there_is_room(stage, elements, layout, 0., domain, [&](int buffer) {
+      if (stale)
+        LagrangeStep<dim>(domain.view->mesh, layout_.materials, scene_.boundaries, scene_.numerics.hydro)
+            .evaluate(domain.state, domain.derived);
+      stale = true;
+      ledger.enter(Regridding<dim>::cause, regridding_.regrid(domain, stage.lost_kinetic_energy, {}, [&](auto &map) {
+        request(elements, layout, buffer, map);
+      }));
+    }));
     ledger.note(landed, 1., totals(layout, coming).mass, "g");
     waiting = waiting_of(layout, std::move(rest));
     return true;

@@ -137,14 +137,15 @@ namespace whipple
   void
   StateGuard<dim>::check(const Domain<dim> &domain, double energy_scale, Ledger<dim> &ledger) const
   {
-    const MPI_Comm communicator = domain.communicator();
+    const MPI_Comm       communicator = domain.communicator();
+    std::vector<Deficit> of_material(curve_.size());
     agree(communicator, [&] {
       for (std::size_t m = 0; m < curve_.size(); ++m)
-        deficit(domain, m);
+        of_material[m] = deficit(domain, m);
     });
     for (std::size_t m = 0; m < curve_.size(); ++m)
       {
-        const Deficit own  = deficit(domain, m);
+        const Deficit &own = of_material[m];
         const double cells = sum_over_ranks(own.cells, communicator), energy = sum_over_ranks(own.energy, communicator);
         ledger.note("energy below the cold curve (" + layout_.material_names[m] + ")", cells, energy, "Mbar cm^3");
         if (!(energy > allowed * energy_scale))

@@ -7,6 +7,8 @@
 #include <whipple/projection/waiting_debris.h>
 #include <whipple/run/regridding.h>
 
+#include <functional>
+
 namespace whipple
 {
   /// How one stage hands its material to the next: the projections, with all bookkeeping.
@@ -71,6 +73,15 @@ namespace whipple
     void
     build_around(const std::vector<Element<dim>> &elements, const CellPacketLayout<dim> &layout, const Stage &stage,
                  int buffer, Domain<dim> &domain) const;
+
+    /// Lay elements down on a mesh that has room for them: where pieces overlap, what does not fit needs room, and if
+    /// the mesh around them has too little, one with more of it is made.
+    /// @param make_mesh gives the domain a mesh, with so many cells around the elements, and all but them
+    /// @returns what laying down has booked
+    Bookings<dim>
+    lay_where_there_is_room(const Stage &stage, const std::vector<Element<dim>> &elements,
+                            const CellPacketLayout<dim> &layout, double sliver, Domain<dim> &domain,
+                            const std::function<void(int buffer)> &make_mesh) const;
 
     /// Elements and entering bodies onto a new Eulerian mesh.
     /// @param sliver   less than this share of an empty cell joins a neighbour
