@@ -117,10 +117,36 @@ namespace whipple::command_line
       std::string text = "./whipple";
       for (const std::string &argument : arguments)
         {
-          const bool plain = argument.find_first_of(" '\"\\$;|&()*?<>=") == std::string::npos;
-          text += plain ? ' ' + argument : " '" + argument + '\'';
+          if (!argument.empty() && argument.find_first_of(" \t\n'\"\\$`;|&()*?[]{}<>=#~!") == std::string::npos)
+            {
+              text += ' ' + argument;
+              continue;
+            }
+          text += " '";
+          for (const char c : argument)
+            text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+          text += '\'';
         }
       return text;
+    }
+
+    /// Options written as --output=DIR, in two words.
+    std::vector<std::string>
+    separated(std::span<const std::string> arguments)
+    {
+      std::vector<std::string> words;
+      for (const std::string &argument : arguments)
+        {
+          const std::size_t equals = argument.find('=');
+          if (!argument.starts_with("--") || equals == std::string::npos)
+            {
+              words.push_back(argument);
+              continue;
+            }
+          words.push_back(argument.substr(0, equals));
+          words.push_back(argument.substr(equals + 1));
+        }
+      return words;
     }
 
     Study
@@ -160,11 +186,17 @@ namespace whipple::command_line
   } // namespace
 
   Command
-  parse(std::span<const std::string> arguments)
+  parse(std::span<const std::string> given)
   {
+    const std::vector<std::string>     words = separated(given);
+    const std::span<const std::string> arguments(words);
     if (arguments.empty())
       return Help{};
     const std::string &verb = arguments[0];
+    if (verb == "run" || verb == "study")
+      for (const std::string &argument : arguments.subspan(1))
+        if (argument == "--help" || argument == "-h")
+          return Help{};
     if (verb == "run")
       return parse_run(arguments.subspan(1));
     if (verb == "study")
@@ -177,7 +209,7 @@ namespace whipple::command_line
       }
     if (verb == "--version")
       return Version{};
-    if (verb == "test" || verb == "build" || verb == "plot")
+    if (verb == "test" || verb == "build" || verb == "plot" || verb == "report")
       throw InputError("'" + verb + "' is a verb of the launcher: ./whipple " + verb);
     throw InputError("unknown verb '" + verb + "': use run, study or help");
   }

@@ -117,7 +117,7 @@ says how wrong each result is and what a better one costs. Points that are there
   std::string
   help(std::string_view topic)
   {
-    if (topic.empty())
+    if (topic.empty() || topic == "run")
       return std::string(overview);
     if (topic == "scene")
       return std::string(scene);

@@ -57,10 +57,15 @@ namespace whipple
   {
     if (const auto value = find(key))
       return *value;
+    std::string near; // materials of a longer name that have it: "copper OFHC" for "copper"
+    if (!request_.library.empty())
+      for (const std::string &name : material_names())
+        if (name.starts_with(request_.library + ' ') && published_constant(description_, name, key))
+          near += (near.empty() ? ", or take Library = '" : "' or '") + name;
     throw InputError(key + " is needed by '" + description_.name + "', and " +
                      (request_.library.empty() ? "no library material is named"
                                                : "the library does not have it for '" + request_.library + "'") +
-                     ": give it");
+                     ": give it" + (near.empty() ? "" : near + "'"));
   }
 
   std::string

@@ -84,6 +84,9 @@ namespace whipple::units
     const Unit &
     find_unit(std::string_view symbol)
     {
+      for (const std::string_view micro : {"\u00b5", "\u03bc"}) // the sign and the Greek letter
+        if (symbol.starts_with(micro))
+          return find_unit("u" + std::string(symbol.substr(micro.size())));
       for (const Unit &unit : unit_table)
         if (symbol == unit.symbol)
           return unit;

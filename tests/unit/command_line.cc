@@ -56,6 +56,27 @@ namespace
                                "--any-version --validate");
   }
 
+  TEST(CommandLine, ValuesMayFollowAnEqualsSign)
+  {
+    const auto run = parse_run({"a.prm", "--output=some dir", "--set=A/B = 1 cm"});
+    EXPECT_EQ(run.options.output_directory, "some dir");
+    EXPECT_EQ(run.options.overrides, (std::vector<std::string>{"A/B = 1 cm"}));
+  }
+
+  TEST(CommandLine, HelpWhereverItIsAskedFor)
+  {
+    for (const std::vector<std::string> words :
+         {std::vector<std::string>{"run", "--help"}, {"run", "a.prm", "-h"}, {"study", "--help"}, {"help", "run"}})
+      EXPECT_TRUE(std::holds_alternative<command_line::Help>(command_line::parse(words))) << words[1];
+  }
+
+  TEST(CommandLine, TheCommandOfAStudyPastesSafely)
+  {
+    const std::vector<std::string> words{"study", "a'b $(c).prm", "--set", "A = `d`"};
+    EXPECT_EQ(std::get<command_line::Study>(command_line::parse(words)).options.command,
+              "./whipple study 'a'\\''b $(c).prm' --set 'A = `d`'");
+  }
+
   TEST(CommandLine, OtherVerbs)
   {
     const std::vector<std::string> none, topic{"help", "effects"}, version{"--version"};

@@ -86,6 +86,12 @@ namespace
     EXPECT_DOUBLE_EQ(units::parse("0.032 in", units::length), 0.08128);
   }
 
+  TEST(SceneUnits, MicroMayBeWrittenAsSuch)
+  {
+    EXPECT_EQ(units::parse("1.5 \u00b5s", units::time), 1.5);
+    EXPECT_EQ(units::parse("2 \u03bcm", units::length), units::parse("2 um", units::length));
+  }
+
   TEST(SceneUnits, EverySymbolIsKnown)
   {
     for (const std::string &symbol : units::symbols())
