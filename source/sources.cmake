@@ -203,6 +203,7 @@ set(WHIPPLE_DEALII
     source/mesh/forest.cc
     source/mesh/mesh_image.cc
     source/output/checksum.cc
+    source/output/directory_lock.cc
     source/output/duration.cc
     source/output/field_output.cc
     source/output/json_value.cc

@@ -76,15 +76,19 @@ namespace whipple
   std::unique_ptr<Simulation<dim>>
   start(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
   {
-    prepare_output_directory(place.directory, communicator);
+    DirectoryLock lock = prepare_output_directory(place.directory, communicator);
     write_parameters(problem.scene, place.directory, communicator);
-    return std::make_unique<Simulation<dim>>(problem, place, communicator);
+    auto simulation = std::make_unique<Simulation<dim>>(problem, place, communicator);
+    simulation->hold(std::move(lock));
+    return simulation;
   }
 
   template <int dim>
   std::unique_ptr<Simulation<dim>>
   go_on(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
   {
+    DirectoryLock lock;
+    on_first_rank<InputError>(communicator, [&] { lock = DirectoryLock(place.directory); });
     const auto found = CheckpointStore<dim>::newest(place.directory, communicator);
     if (!found.header && !found.refused.empty())
       throw InputError(place.directory + ": no checkpoint to go on from: " + found.refused.front());
@@ -95,6 +99,7 @@ namespace whipple
           throw InputError(place.directory + ": has no checkpoint, and its run is over");
         write_parameters(problem.scene, place.directory, communicator);
         auto simulation = std::make_unique<Simulation<dim>>(problem, place, communicator);
+        simulation->hold(std::move(lock));
         simulation->log().info("there was no checkpoint yet: the run begins anew");
         return simulation;
       }
@@ -102,6 +107,7 @@ namespace whipple
     write_parameters(problem.scene, place.directory, communicator);
     auto simulation =
         std::make_unique<Simulation<dim>>(problem, place, found.directory, found.header->books, communicator);
+    simulation->hold(std::move(lock));
     for (const std::string &reason : found.refused)
       simulation->log().info("an older checkpoint is used: " + reason);
     return simulation;

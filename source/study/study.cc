@@ -14,7 +14,7 @@ namespace whipple
     report::StudyReport
     all_points(const StudyOptions &options, const StudyPlan &plan, std::ostream &output)
     {
-      prepare_study_directory(options.output_directory, options.file);
+      const DirectoryLock lock = prepare_study_directory(options.output_directory, options.file);
       StudyRunner         runner(options, output);
       report::StudyReport result{options, plan, {}, {}, {}};
       result.outcomes = runner.run(plan, plan.points);
@@ -42,7 +42,7 @@ namespace whipple
       const StudyPlan    plan   = plan_study(section.cell_axis() ? options : without_cells(options, ladder), ladder);
       if (options.validate_only)
         return {options, plan, {}, {}, {}};
-      prepare_study_directory(options.output_directory, options.file);
+      const DirectoryLock lock = prepare_study_directory(options.output_directory, options.file);
       StudyRunner         runner(options, output);
       ToleranceOutcome    outcome = run_to_tolerance(plan, tolerance, budget, runner, output);
       report::StudyReport result{options, plan, std::move(outcome.outcomes), {}, std::move(outcome.verdict)};

@@ -25,7 +25,7 @@ namespace whipple
       return line.substr(std::string(mark).size());
     }
 
-    void
+    DirectoryLock
     prepare(const fs::path &directory, const std::string &study_file)
     {
       const std::string shown = "output directory '" + directory.string() + "' ";
@@ -40,12 +40,14 @@ namespace whipple
           if (other != study_file)
             throw InputError(shown + "belongs to another study, " + other +
                              "; nothing overwritten, give another --output");
-          return;
+          return DirectoryLock(directory);
         }
       fs::create_directories(directory);
+      DirectoryLock lock(directory);
       std::ofstream file(directory / mark_file);
       if (!(file << mark << study_file << '\n' << std::flush))
         throw InputError(shown + "cannot be written to");
+      return lock;
     }
 
     std::string
@@ -56,12 +58,12 @@ namespace whipple
     }
   } // namespace
 
-  void
+  DirectoryLock
   prepare_study_directory(const std::string &directory, const std::string &study_file)
   {
     try
       {
-        prepare(directory, fs::canonical(study_file));
+        return prepare(directory, fs::canonical(study_file));
       }
     catch (const fs::filesystem_error &error)
       {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <whipple/diagnostics/measure.h>
+#include <whipple/output/directory_lock.h>
 #include <whipple/problem/problem.h>
 #include <whipple/run/checkpointing.h>
 #include <whipple/run/handover.h>
@@ -10,6 +11,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace whipple
 {
@@ -33,6 +35,13 @@ namespace whipple
     /// @throws checkpoint::Unusable if the fields cannot be read
     Simulation(const Problem<dim> &problem, const RunPlace &place, const std::string &checkpoint,
                const RunBooks<dim> &books, MPI_Comm communicator);
+
+    /// Keep others out of the output directory for as long as the run lives.
+    void
+    hold(DirectoryLock lock)
+    {
+      lock_ = std::move(lock);
+    }
 
     /// Run all stages that are left. summary.json is written in any case.
     /// @throws StateError where physics or numerics stopped the run; the last good state is on disk.
@@ -95,6 +104,7 @@ namespace whipple
     void
     stopped(const Stage &stage, const StateError &error);
 
+    DirectoryLock      lock_; // the last to go
     Problem<dim>       problem_;
     const Scene<dim>  &scene_;
     const FieldLayout &layout_;
