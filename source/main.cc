@@ -9,7 +9,9 @@
 #include <whipple/study/study.h>
 
 #include <chrono>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -74,6 +76,22 @@ namespace
     return failure.status;
   }
 
+  /// A rank that a signal ends (out of memory, a person) takes the others with it, and none can say so.
+  void
+  tell_of_killed_ranks(int status, const RunOptions &options)
+  {
+    constexpr int killed = 128; // and the number of the signal, as shells have it
+    if (status <= killed)
+      return;
+    const bool can_go_on = std::filesystem::exists(options.output_directory + "/checkpoints") &&
+                           !std::filesystem::is_empty(options.output_directory + "/checkpoints");
+    std::cerr << "whipple: a rank was ended by signal " << status - killed << " (" << strsignal(status - killed)
+              << "), and "
+              << "with it the run; "
+              << (can_go_on ? "go on from its last checkpoint with: whipple run --resume " : "no checkpoint yet in ")
+              << options.output_directory << std::endl;
+  }
+
   void
   execute(const command_line::Command &command)
   {
@@ -136,7 +154,10 @@ main(int argc, char **argv)
     if (auto *run = std::get_if<command_line::Run>(&command))
       {
         if (run->ranks > 1 && !mpirun::is_rank())
-          ended = mpirun::run(run->ranks, arguments);
+          {
+            ended = mpirun::run(run->ranks, arguments);
+            tell_of_killed_ranks(*ended, run->options);
+          }
         run->options.live = mpirun::prints_to_terminal();
       }
   });
