@@ -204,6 +204,7 @@ set(WHIPPLE_DEALII
     source/mesh/mesh_image.cc
     source/output/checksum.cc
     source/output/directory_lock.cc
+    source/output/disk_room.cc
     source/output/duration.cc
     source/output/field_output.cc
     source/output/json_value.cc

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <whipple/output/disk_room.h>
 #include <whipple/output/hdf5_table.h>
 #include <whipple/output/snapshot_hdf5.h>
 
@@ -127,6 +128,11 @@ namespace whipple::snapshot_hdf5
         return std::vector<Number>(values.begin(), values.end());
       };
       constexpr int bytes = sizeof(Number);
+      require_disk_room(path,
+                        sizeof(double) * snapshot.position.size() + bytes * snapshot.velocity.size() +
+                            sizeof(std::uint64_t) * snapshot.cell_node.size() +
+                            bytes * snapshot.fields.size() * snapshot.n_cells(),
+                        communicator);
 
       HDF5::File  file(path, HDF5::File::FileAccessMode::create, communicator);
       std::string grid = grid_head(snapshot, stored_path, grid_name, nodes, cells);

@@ -4,7 +4,9 @@
 #include <whipple/output/step_table.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -96,6 +98,7 @@ namespace whipple
         const std::string rows = waiting_.str();
         file_ << rows;
         kept_ += rows.size();
+        check();
       }
     forget();
   }
@@ -109,7 +112,16 @@ namespace whipple
   void
   StepTable::flush()
   {
-    if (active_)
-      file_.flush();
+    if (!active_)
+      return;
+    file_.flush();
+    check();
+  }
+
+  void
+  StepTable::check() const
+  {
+    if (!file_)
+      throw Error(path_ + ": cannot be written: " + std::strerror(errno));
   }
 } // namespace whipple

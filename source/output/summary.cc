@@ -2,6 +2,8 @@
 #include <whipple/output/json_value.h>
 #include <whipple/output/version.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -204,7 +206,7 @@ namespace whipple::summary
     {
       std::ofstream file(temporary);
       if (!(file << to_json(summary) << std::flush))
-        throw std::runtime_error(temporary.string() + ": cannot be written");
+        throw std::runtime_error(temporary.string() + ": cannot be written: " + std::strerror(errno));
     }
     std::filesystem::rename(temporary, path);
   }

@@ -56,7 +56,7 @@ namespace whipple::projection
       settle(const std::vector<Element<2>> &elements)
       {
         add_up(elements);
-        const bool ring = view_.lattice.symmetry == Symmetry::axisymmetric && !on_axis_;
+        const bool ring = is_ring();
         double     area = 0, volume = 0, least = parcels_[group_[0]].lower[0];
         Vector<2>  centroid{}; // of the area
         for (const Index i : group_)
@@ -113,6 +113,8 @@ namespace whipple::projection
           {
             write_part(volume_of(i) / volume, parcels_[i], lost, elements[element_of_[i]]);
             elements[element_of_[i]].piece = report.pieces;
+            if (rings_ == Rings::thinned && is_ring())
+              elements[element_of_[i]].solid_within = from_[0];
           }
         report.kinetic_loss += lost;
         if (on_axis_)
@@ -122,6 +124,12 @@ namespace whipple::projection
       }
 
     private:
+      bool
+      is_ring() const
+      {
+        return view_.lattice.symmetry == Symmetry::axisymmetric && !on_axis_;
+      }
+
       void
       add_up(const std::vector<Element<2>> &elements)
       {

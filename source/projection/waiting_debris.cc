@@ -3,20 +3,89 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
 namespace whipple
 {
   namespace
   {
-    /// What the section of a ring shrinks by as it grows; 1 for one that has come to the axis, which is no ring.
-    double
-    shrinking(Symmetry symmetry, const Waiting<2> &part, double radial_way)
+    /// Where a piece is: the middle of its section has moved by `way` from its axis, and the section has shrunk.
+    struct Flight
     {
-      const double r = part.centre[0];
-      return symmetry == Symmetry::axisymmetric && radial_way != 0 && r > 0 && r + radial_way > 0
-                 ? std::sqrt(r / (r + radial_way))
-                 : 1.;
+      double way   = 0;     ///< along axis 0, cm
+      double scale = 1;     ///< of lengths
+      bool   back  = false; ///< it has been at the axis and flies outwards
+    };
+
+    /// A ring shrinks in section as it grows, until it is as large as where void opens in it. Its fragments fly past
+    /// each other at the axis: it turns where it touches it.
+    Flight
+    flight_of(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double dt)
+    {
+      const double r = part.centre[0], way = dt * part.element.packet[layout.velocity(0, 0)];
+      if (symmetry == Symmetry::planar || way == 0 || !(r > 0))
+        return {way, 1., false};
+      const double within = part.element.solid_within, solid = std::min(r, within);
+      double       nearest = std::cbrt(solid * part.reach * part.reach); // the ring touches the axis: r = scale reach
+      if (nearest > within)
+        nearest = std::sqrt(solid / within) * part.reach;
+      nearest           = std::min(nearest, r); // it touched it from the beginning
+      const bool   back = r + way < nearest;
+      const double now  = back ? 2. * nearest - (r + way) : r + way;
+      return {back ? now - r : way, std::sqrt(solid / std::min(now, within)), back};
+    }
+
+    /// An element for itself that has flown across the axis, on the side where it counts.
+    void
+    mirror(CornerVectors<2> &x, CornerVectors<2> &u)
+    {
+      for (int k = 0; k < 4; ++k)
+        {
+          x[0][k] = -x[0][k];
+          u[0][k] = -u[0][k];
+        }
+      for (CornerVectors<2> *v : {&x, &u})
+        for (int d = 0; d < 2; ++d)
+          for (const int lower : {0, 2})
+            std::swap((*v)[d][lower], (*v)[d][lower + 1]);
+    }
+
+    CornerVectors<2>
+    first_velocities(const CellPacketLayout<2> &layout, const Waiting<2> &part)
+    {
+      CornerVectors<2> u;
+      for (int d = 0; d < 2; ++d)
+        for (int k = 0; k < 4; ++k)
+          u[d][k] = part.element.packet[layout.velocity(d, k)];
+      return u;
+    }
+
+    /// Corners and their velocities.
+    std::pair<CornerVectors<2>, CornerVectors<2>>
+    motion_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
+    {
+      const double     dt = time - part.since;
+      CornerVectors<2> x = part.element.position, u = first_velocities(layout, part);
+      if (part.element.piece < 0)
+        {
+          for (int d = 0; d < 2; ++d)
+            for (int k = 0; k < 4; ++k)
+              x[d][k] += dt * u[d][k];
+          if (symmetry == Symmetry::axisymmetric && CellShape<2>::middle(x)[0] < 0)
+            mirror(x, u);
+          return {x, u};
+        }
+      const Flight    flight = flight_of(symmetry, layout, part, dt);
+      const Vector<2> way{{flight.way, dt * u[1][0]}};
+      for (int d = 0; d < 2; ++d)
+        for (int k = 0; k < 4; ++k)
+          x[d][k] = (part.centre[d] + flight.scale * (x[d][k] - part.centre[d])) + way[d];
+      if (flight.back)
+        for (double &radial : u[0])
+          radial = -radial;
+      return {x, u};
     }
 
     double
@@ -39,11 +108,14 @@ namespace whipple
         }
     }
 
-    /// The voids of an element take up a change of its volume.
+    /// The voids of an element take up a change of its volume; of what has none left nothing is pressed.
     void
     grow(const CellPacketLayout<2> &layout, double growth, Element<2> &element)
     {
       CellPacket &packet = element.packet;
+      for (int m = 0; m < layout.n_materials(); ++m)
+        if (packet[layout.volume(m)] > 0)
+          growth = std::max(growth, 1. - packet[layout.void_fraction(m)]);
       for (int m = 0; m < layout.n_materials(); ++m)
         if (packet[layout.volume(m)] > 0)
           {
@@ -56,8 +128,9 @@ namespace whipple
     /// Sums over the parts of each piece.
     struct PieceSum
     {
-      double    mass = 0, volume = 0, area = 0;
-      Vector<2> centre{}; ///< of the area
+      double    mass = 0, volume = 0, volume_then = 0, area = 0;
+      double    least = std::numeric_limits<double>::infinity(); ///< radius
+      Vector<2> centre{};                                        ///< of the area
     };
 
     double
@@ -85,6 +158,7 @@ namespace whipple
           const double    own  = CellShape<2>::area(element.position);
           const Vector<2> here = CellShape<2>::middle(element.position);
           sum.area += own;
+          sum.least = std::min(sum.least, *std::min_element(element.position[0].begin(), element.position[0].end()));
           for (int d = 0; d < 2; ++d)
             sum.centre[d] += (here[d] - sum.centre[d]) * (own / sum.area);
         }
@@ -95,6 +169,7 @@ namespace whipple
         if (part.element.piece >= 0)
           {
             part.centre = pieces[part.element.piece].centre;
+            part.reach  = part.centre[0] - pieces[part.element.piece].least;
             part.element.piece += first;
           }
         else
@@ -110,33 +185,15 @@ namespace whipple
   }
 
   CornerVectors<2>
-  corner_velocities_of(const CellPacketLayout<2> &layout, const Waiting<2> &part)
+  corner_velocities_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
   {
-    CornerVectors<2> u;
-    for (int d = 0; d < 2; ++d)
-      for (int k = 0; k < 4; ++k)
-        u[d][k] = part.element.packet[layout.velocity(d, k)];
-    return u;
+    return motion_at(symmetry, layout, part, time).second;
   }
 
   CornerVectors<2>
   corners_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
   {
-    const double           dt = time - part.since;
-    const CornerVectors<2> u  = corner_velocities_of(layout, part);
-    CornerVectors<2>       x  = part.element.position;
-    if (part.element.piece < 0)
-      {
-        for (int d = 0; d < 2; ++d)
-          for (int k = 0; k < 4; ++k)
-            x[d][k] += dt * u[d][k];
-        return x;
-      }
-    const double scale = shrinking(symmetry, part, dt * u[0][0]);
-    for (int d = 0; d < 2; ++d)
-      for (int k = 0; k < 4; ++k)
-        x[d][k] = (part.centre[d] + scale * (x[d][k] - part.centre[d])) + dt * u[d][k];
-    return x;
+    return motion_at(symmetry, layout, part, time).first;
   }
 
   std::vector<Element<2>>
@@ -149,17 +206,24 @@ namespace whipple
           PieceSum &sum = pieces[part.element.piece];
           sum.mass += mass_of(part.element);
           sum.volume += volume_at(symmetry, layout, part, time);
+          sum.volume_then += cell_volume<2>(symmetry, part.element.position);
         }
     std::vector<Element<2>> elements;
     for (const Waiting<2> &part : parts)
       {
         Element<2> element = part.element;
-        element.position   = corners_at(symmetry, layout, part, time);
-        const double now   = cell_volume<2>(symmetry, element.position);
+        const auto [x, u]  = motion_at(symmetry, layout, part, time);
+        element.position   = x;
+        for (int d = 0; d < 2; ++d)
+          for (int k = 0; k < 4; ++k)
+            element.packet[layout.velocity(d, k)] = u[d][k];
+        const double now = cell_volume<2>(symmetry, x);
         if (element.piece >= 0)
           {
             const PieceSum &sum = pieces[element.piece];
             take_share(layout, now / sum.volume * (sum.mass / mass_of(part.element)), element);
+            if (std::isfinite(element.solid_within))
+              grow(layout, sum.volume / sum.volume_then, element);
           }
         else
           grow(layout, now / cell_volume<2>(symmetry, part.element.position), element);

@@ -196,8 +196,8 @@ namespace whipple
         for (std::size_t i = 0; i < ahead_.size(); ++i)
           {
             const Waiting<2> &part = waiting.parts[i];
-            box_.push_back(
-                box_of(at(part, time), at(part, time + ahead_[i]), corner_velocities_of(layout, part), ahead_[i]));
+            box_.push_back(box_of(at(part, time), at(part, time + ahead_[i]),
+                                  corner_velocities_at(scene.lattice.symmetry, layout, part, time), ahead_[i]));
             swept_.push_back(box_.back().swept(ahead_[i], 0.));
           }
       }
@@ -309,8 +309,9 @@ namespace whipple
       {
         if (part.element.piece >= 0)
           return true;
-        const CornerVectors<2> x = at(part, time_), u = corner_velocities_of(layout_, part);
-        const double           least = least_volume(scene_.lattice.symmetry, x, u, ahead);
+        const CornerVectors<2> x = at(part, time_),
+                               u = corner_velocities_at(scene_.lattice.symmetry, layout_, part, time_);
+        const double least       = least_volume(scene_.lattice.symmetry, x, u, ahead);
         if (!(least > 0) || !keeps_shape(x, u, ahead))
           return false;
         const double growth = least / cell_volume<2>(scene_.lattice.symmetry, part.element.position);
@@ -369,7 +370,7 @@ namespace whipple
     for (const Waiting<2> &part : waiting.parts)
       {
         const CornerVectors<2> x       = corners_at(scene.lattice.symmetry, layout, part, state.time);
-        const CornerVectors<2> u       = corner_velocities_of(layout, part);
+        const CornerVectors<2> u       = corner_velocities_at(scene.lattice.symmetry, layout, part, state.time);
         const double           rear    = *std::min_element(x[flight_axis<2>].begin(), x[flight_axis<2>].end());
         const double           slowest = *std::min_element(u[flight_axis<2>].begin(), u[flight_axis<2>].end());
         moves.push_back(slowest > 0);

@@ -145,8 +145,8 @@ namespace whipple
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageProgress, begun, next_arrivals, memory_of_end, last_time_step, ceiling,
                                      failed_until, retries, since_regrid, spare_after_regrid, locked, locked_noted,
                                      history, contacts)
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Piece, key, position, corner_mass, packet, piece)
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Part, element, since, centre)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Piece, key, position, corner_mass, packet, piece, solid_within)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Part, element, since, centre, reach)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Debris, parts, totals, fastest)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Books, stage, progress, ledger, summary, report, watches, waiting)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/output/checksum.h>
+#include <whipple/output/disk_room.h>
 #include <whipple/output/first_rank.h>
 #include <whipple/output/hdf5_table.h>
 
@@ -87,6 +88,7 @@ namespace whipple::checkpoint_file
         for (const std::uint64_t word : {mesh.leaf[i] >> 32, mesh.leaf[i] & 0xffffffffu, std::uint64_t(mesh.active[i]),
                                          std::uint64_t(mesh.intact[i])})
           leaves.push_back(static_cast<unsigned int>(word));
+    require_disk_room(path, sizeof(unsigned int) * leaves.size() + sizeof(double) * rows.value.size(), communicator);
     HDF5::File file(path, HDF5::File::FileAccessMode::create, communicator);
     file.set_attribute("columns", joined(columns));
     file.set_attribute("time [us]", time);

@@ -18,7 +18,8 @@ namespace whipple
       return;
     const auto layout = CellPacketLayout<dim>::of(run_.domain.state);
     for (const Waiting<dim> &part : run_.books.waiting->parts)
-      visit(part, corners_at(scene_.lattice.symmetry, layout, part, time()), corner_velocities_of(layout, part));
+      visit(part, corners_at(scene_.lattice.symmetry, layout, part, time()),
+            corner_velocities_at(scene_.lattice.symmetry, layout, part, time()));
   }
 
   template <int dim>

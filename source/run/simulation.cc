@@ -322,9 +322,11 @@ namespace whipple
     for (const auto &[cause, booking] : ledger.bookings().by_cause())
       if (booking.event)
         summary.counts.events[cause] = {booking.event->number, booking.event->size, booking.event->unit};
-    on_first_rank<Error>(communicator, [&] { summary::write(summary, directory_); });
-    reporter_.flush();
-    reporter_.tell(summary);
+    reporter_.tell(summary); // whatever becomes of the files
+    on_first_rank<Error>(communicator, [&] {
+      summary::write(summary, directory_);
+      reporter_.flush();
+    });
   }
 
   template <int dim>

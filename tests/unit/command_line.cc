@@ -65,7 +65,7 @@ namespace
 
   TEST(CommandLine, HelpWhereverItIsAskedFor)
   {
-    for (const std::vector<std::string> words :
+    for (const std::vector<std::string> &words :
          {std::vector<std::string>{"run", "--help"}, {"run", "a.prm", "-h"}, {"study", "--help"}, {"help", "run"}})
       EXPECT_TRUE(std::holds_alternative<command_line::Help>(command_line::parse(words))) << words[1];
   }

@@ -23,7 +23,7 @@ namespace
       }
     EXPECT_EQ(names,
               (std::vector<std::string>{"debris cloud", "phases", "fragments", "debris by angle and velocity", "plates",
-                                        "load on the last plate", "gauges", "shock of the exact solution"}));
+                                        "load on the last plate", "gauges", "shock of the exact solution", "history"}));
   }
 
   std::vector<std::string>

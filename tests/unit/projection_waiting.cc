@@ -109,6 +109,92 @@ namespace
     EXPECT_NEAR(after.total_energy(), before.total_energy(), 1e-15);
   }
 
+  /// A ring that is solid within 0.6 cm keeps the section it has there, and void opens in it: at twice the radius half.
+  TEST(WaitingDebris, ARingOfFragmentsThinsOut)
+  {
+    const CellPacketLayout<2> layout = one_material();
+    const Vector<2>           u{{0.2, 0.5}};
+    std::vector<Element<2>>   elements{rectangle(Symmetry::axisymmetric, 0.4, 0., 0.1, 0.2, 0., u, 0.),
+                                     rectangle(Symmetry::axisymmetric, 0.5, 0., 0.1, 0.2, 0., u, 0.)};
+    for (Element<2> &element : elements)
+      {
+        element.piece        = 0;
+        element.solid_within = 0.6;
+      }
+    const auto parts = begin_to_wait(layout, {}, elements, {}, 0.);
+    for (const double time : {0.5, 3.5}) // the middle of 0.5 cm has come to 0.6, and to 1.2 cm
+      {
+        const double middle = 0.5 + 0.2 * time, void_fraction = 1. - std::min(1., 0.6 / middle);
+        double       section = 0, solid = 0, mass = 0;
+        for (const Element<2> &element : elements_at(Symmetry::axisymmetric, layout, parts, time))
+          {
+            section += CellShape<2>::area(element.position);
+            solid += element.packet[layout.volume(0)] * (1. - element.packet[layout.void_fraction(0)]);
+            mass += element.packet[layout.mass(0)];
+            EXPECT_NEAR(element.packet[layout.void_fraction(0)], void_fraction, 1e-13);
+            EXPECT_NEAR(element.packet[layout.density(0)], 2.7 * (1. - void_fraction), 1e-13);
+            EXPECT_NEAR(cell_volume<2>(Symmetry::axisymmetric, element.position), element.packet[layout.volume(0)],
+                        1e-13);
+          }
+        EXPECT_NEAR(section, 0.04 * 0.5 / 0.6, 1e-14) << time;
+        EXPECT_NEAR(solid, 2. * std::numbers::pi * 0.5 * 0.04, 1e-13);
+        EXPECT_NEAR(mass, 2.7 * solid, 1e-13);
+      }
+  }
+
+  /// Fragments of a ring that fly towards the axis pass it: the ring turns where it touches it, and is as before on its
+  /// way out.
+  TEST(WaitingDebris, ARingTurnsAtTheAxis)
+  {
+    const CellPacketLayout<2> layout = one_material();
+    for (const double within : {0.3, 0.7, 2.})
+      {
+        const Vector<2> u{{-0.25, 0.5}};
+        Element<2>      element = rectangle(Symmetry::axisymmetric, 0.9, 0., 0.2, 0.2, 0., u, 0.);
+        element.piece           = 0;
+        element.solid_within    = within;
+        if (within < 1.) // it is farther out, and holds void
+          {
+            element.packet[layout.void_fraction(0)] = 1. - within;
+            element.packet[layout.mass(0)] *= within;
+            element.packet[layout.density(0)] *= within;
+            for (double &mass : element.corner_mass)
+              mass *= within;
+          }
+        const auto parts   = begin_to_wait(layout, {}, {element}, {}, 0.);
+        double     nearest = 1.;
+        for (double time = 0; time < 9.; time += 0.01)
+          {
+            const auto x = corners_at(Symmetry::axisymmetric, layout, parts[0], time);
+            EXPECT_GE(x[0][0], -1e-15) << time;
+            nearest              = std::min(nearest, x[0][0]);
+            const Element<2> now = elements_at(Symmetry::axisymmetric, layout, parts, time)[0];
+            EXPECT_NEAR(now.packet[layout.mass(0)], element.packet[layout.mass(0)], 1e-13);
+            EXPECT_NEAR(now.packet[layout.density(0)] / (1. - now.packet[layout.void_fraction(0)]), 2.7, 1e-12);
+            EXPECT_NEAR(now.packet[layout.volume(0)], cell_volume<2>(Symmetry::axisymmetric, now.position), 1e-12);
+          }
+        EXPECT_LT(nearest, 0.0025);
+        EXPECT_EQ(corner_velocities_at(Symmetry::axisymmetric, layout, parts[0], 1.)[0][2], -0.25);
+        EXPECT_EQ(corner_velocities_at(Symmetry::axisymmetric, layout, parts[0], 9.)[0][2], 0.25);
+      }
+  }
+
+  /// An element for itself that has flown across the axis is its mirror image, not turned over.
+  TEST(WaitingDebris, AnElementBeyondTheAxisIsItsMirrorImage)
+  {
+    const CellPacketLayout<2> layout  = one_material();
+    const Element<2>          element = rectangle(Symmetry::axisymmetric, 0.3, 0., 0.1, 0.1, 0.5, {{-0.2, 0.6}}, 0.);
+    const auto                parts   = begin_to_wait(layout, {}, {element}, {}, 0.);
+    const Element<2> after  = elements_at(Symmetry::axisymmetric, layout, parts, 3.5)[0]; // 0.3..0.4 -> -0.4..-0.3
+    const Element<2> before = elements_at(Symmetry::axisymmetric, layout, parts, 0.)[0];
+    for (int k = 0; k < 4; ++k)
+      {
+        EXPECT_NEAR(after.position[0][k], before.position[0][k], 1e-14);
+        EXPECT_EQ(after.packet[layout.velocity(0, k)], 0.2);
+      }
+    EXPECT_NEAR(after.packet[layout.density(0)], before.packet[layout.density(0)], 1e-13);
+  }
+
   TEST(WaitingDebris, PiecesOfTwoHandOversKeepApart)
   {
     const CellPacketLayout<2> layout = one_material();

@@ -78,16 +78,20 @@ namespace
     Waiting<2> part;
     part.element.key            = 0xfedcba9876543210u;
     part.element.piece          = 5;
+    part.element.solid_within   = 0.02;
     part.element.position[1][2] = 1. / 7.;
     part.element.corner_mass[3] = 0x1p-1060;
     part.element.packet         = {0.1, 1e300};
     part.since                  = 0.7;
     part.centre                 = {{0.1, -0.3}};
+    part.reach                  = 0.03;
     books.waiting               = std::make_shared<const WaitingDebris<2>>(WaitingDebris<2>{{part}, amount, 0.6});
 
     const auto bytes = to_cbor(books);
     const auto again = books_from_cbor(bytes);
     EXPECT_EQ(to_cbor(again), bytes);
+    EXPECT_EQ(again.waiting->parts[0].element.solid_within, 0.02);
+    EXPECT_EQ(again.waiting->parts[0].reach, 0.03);
     EXPECT_EQ(again.progress.locked, books.progress.locked);
     EXPECT_EQ(again.progress.locked_noted, 1u);
     EXPECT_EQ(again.progress.memory_of_end, books.progress.memory_of_end);

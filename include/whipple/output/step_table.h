@@ -40,6 +40,7 @@ namespace whipple
     write(std::span<const TableEntry> row);
 
     /// The steps of all rows so far stand.
+    /// @throws Error on the first rank if the disk refuses what was written; the same for flush().
     void
     keep();
 
@@ -59,6 +60,9 @@ namespace whipple
     }
 
   private:
+    void
+    check() const;
+
     std::string              path_;
     bool                     active_; ///< this is rank 0
     std::ofstream            file_;

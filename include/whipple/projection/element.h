@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <limits>
 #include <vector>
 
 namespace whipple
@@ -23,6 +24,8 @@ namespace whipple
     std::array<double, corners>                  corner_mass{}; ///< g
     CellPacket                                   packet;        ///< velocities, materials; normals unused
     long piece = -1; ///< number of the solid piece that it is a part of, if it is (form_fragments); < 0: none
+    /// cm; a piece that is a ring is solid while its radius is smaller, farther out its section stays and void opens
+    double solid_within = std::numeric_limits<double>::infinity();
   };
 
   /// The owned elements of a Lagrangian state that hold material, in the order of the mesh.

@@ -18,6 +18,7 @@ namespace whipple
     Element<dim> element;   ///< as it was when it began to wait
     double       since = 0; ///< us; when that was
     Vector<dim>  centre{};  ///< cm; middle of its piece's section then, of itself if it is none
+    double       reach = 0; ///< cm; from there to the side of that section that is next to the axis
   };
 
   /// All that waits; a value, the same on all ranks. Free flight does not change the totals.
@@ -44,12 +45,12 @@ namespace whipple
   CornerVectors<2>
   corners_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time);
 
-  /// Velocities of the corners of a part.
+  /// Velocities of the corners of a part: those it began to wait with, and outwards again once it has come to the axis.
   CornerVectors<2>
-  corner_velocities_of(const CellPacketLayout<2> &layout, const Waiting<2> &part);
+  corner_velocities_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time);
 
   /// Parts as elements where they are. A piece's mass is spread over its parts by their volumes: give it whole.
-  /// Mass, momentum and energies are those of when they began to wait.
+  /// Mass, energies and momentum (along axis 0 but for what has come to the axis) are those of when they began to wait.
   std::vector<Element<2>>
   elements_at(Symmetry symmetry, const CellPacketLayout<2> &layout, std::span<const Waiting<2>> parts, double time);
 
