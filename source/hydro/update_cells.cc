@@ -52,7 +52,7 @@ namespace whipple::cell_kernels
     }
 
     /// Next volumes of the traces of a cell: beside other material they lie at their normal density; alone they do not
-    /// expand, what the cell grows is void. @returns their sum, cm^3
+    /// expand, what the cell grows is void, and are not pressed beyond that density. @returns their sum, cm^3
     template <int dim>
     double
     place_traces(const State<dim> &state, Index cell, bool beside_others, StepWork<dim> &work)
@@ -64,9 +64,9 @@ namespace whipple::cell_kernels
           MaterialWork<dim>   &next     = work.material[m];
           if (!(material.volume[cell] > 0) || trace::has_state(material, next, state.volume[cell], cell))
             continue;
-          next.volume[cell] = beside_others
-                                  ? material.mass[cell] / next.reference_density
-                                  : material.volume[cell] * std::min(1., work.volume[cell] / state.volume[cell]);
+          const double normal = material.mass[cell] / next.reference_density;
+          const double strain = std::min(1., work.volume[cell] / state.volume[cell]);
+          next.volume[cell]   = beside_others ? normal : std::max(normal, material.volume[cell] * strain);
           sum += next.volume[cell];
         }
       return sum;

@@ -111,6 +111,30 @@ namespace
       }
   }
 
+  /// On a fixed mesh a cell may be pressed in every step and be filled up with void by the remap, for ever.
+  TEST(Traces, AloneItIsNotPressedBeyondItsNormalDensity)
+  {
+    Strip strip({aluminium()});
+    fill(strip.state, 10, 2.785, 0.01, 0, 1e-7);
+    LagrangeStep<2>           step(strip.mesh, strip.materials, strip.boundaries, {});
+    const std::vector<double> whole = strip.state.volume;
+    const double              mass  = strip.state.material[0].mass[10];
+    strip.state.material[0].volume[10] *= 1e3; // as dust
+    strip.state.material[0].density[10] /= 1e3;
+    for (int i = 0; i < 3000; ++i)
+      {
+        strip.state.position = strip.mesh.node_point;
+        strip.state.volume   = whole;
+        step.update_node_mass(strip.state);
+        set_velocity(strip.mesh, strip.state, [](double x, double) { return Vector<2>{{0.1 - x, 0.}}; });
+        advance(step, strip.state, 0.01);
+      }
+    EXPECT_EQ(strip.state.material[0].mass[10], mass);
+    EXPECT_NEAR(strip.state.material[0].density[10], 2.785, 1e-12);
+    EXPECT_NEAR(strip.state.material[0].volume[10], 1e-7 * whole[10], 1e-19);
+    EXPECT_EQ(strip.state.material[0].energy[10], 0.01);
+  }
+
   TEST(TimeStep, KnowsWhatASideIsAboutToDo)
   {
     Strip strip({aluminium()});
