@@ -21,7 +21,7 @@ class NotWritten(WhippleError):
     """The run has not written what was asked for: no fields, no summary yet."""
 
 
-class Unknown(WhippleError, LookupError):
+class Unknown(WhippleError, KeyError):
     """There is nothing of this name; or it cannot be told from this run."""
 
 

@@ -36,8 +36,9 @@ class Run:
     def title(self):
         return self.parameters.get("Title") or os.path.basename(os.path.abspath(self.directory))
 
-    @property
+    @cached_property
     def is_planar(self):
+        """Whether the scene has no axis about which it could be mirrored."""
         return scene.is_planar(self.parameters)
 
     @cached_property

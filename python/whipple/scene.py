@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from .errors import Unknown
 from .units import quantity
 
-BODY_ENTRIES = ("Shape", "Diameter", "Velocity", "Front face", "Thickness", "Density", "Material", "Center")
+BODY_ENTRIES = ("Shape", "Diameter", "Velocity", "Front face", "Thickness", "Density", "Material", "Center", "Rotation")
 
 
 @dataclass(frozen=True)
@@ -43,9 +43,10 @@ def materials(parameters):
 
 
 def plates(parameters):
-    """The plates that lie across the line of flight, in its order. Errors: Unknown."""
+    """The plates that lie across the line of flight, in its order; turned ones do not. Errors: Unknown."""
     found = [Plate(name, quantity(body["Front face"], "cm"), quantity(body["Thickness"], "cm"))
-             for name, body in bodies(parameters).items() if body["Shape"] == "plate"]
+             for name, body in bodies(parameters).items()
+             if body["Shape"] == "plate" and quantity(body["Rotation"] or "0 deg", "deg") == 0.0]
     return sorted(found, key=lambda plate: plate.front)
 
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The output of a study (doc/studies.md)."""
-import glob
 import os
 from functools import cached_property
 
@@ -80,11 +79,8 @@ class Study:
                      "point")
 
     def directory_of(self, label):
-        """Where a point has run: points/<label>; letters that no file name takes are others there."""
-        path = os.path.join(self.directory, "points", label)
-        if os.path.isdir(path):
-            return path
-        return next(iter(glob.glob(os.path.join(glob.escape(self.directory), "points", f"*{glob.escape(label)}"))), path)
+        """Where a point has run."""
+        return os.path.join(self.directory, "points", label)
 
     @property
     def runs(self):

@@ -5,7 +5,7 @@ import os
 
 import matplotlib.pyplot as plt
 
-from run_record import Unknown
+from whipple import NotWritten
 
 
 def steps(axes, edges, values, label=None):
@@ -50,19 +50,13 @@ def load(name, table, path):
     plt.close(figure)
 
 
-def pictures(summary, folder):
-    """Yields the paths. @raise Unknown if there is nothing to draw"""
-    results = (summary or {}).get("results", {})
-    gaps = {stage["name"]: results[stage["name"]] for stage in (summary or {}).get("stages", [])
-            if "angle_edges_deg" in results.get(stage["name"], {})}
+def pictures(run):
+    """[(file name, what draws it, its arguments)]. Errors: whipple.NotWritten if there is nothing to draw."""
+    results = run.results
+    gaps = {stage["name"]: results[stage["name"]] for stage in run.summary["stages"]
+            if "angle_edges_deg" in results.get(stage["name"], {}) and "mass_by_angle_g" in results[stage["name"]]}
     plates = {name: table for name, table in results.items() if "impulse_g_cm_per_us" in table}
     if not gaps and not plates:
-        raise Unknown("summary.json has no debris and no load on a plate")
-    if gaps:
-        path = os.path.join(folder, "debris.png")
-        debris(gaps, path)
-        yield path
-    for name, table in plates.items():
-        path = os.path.join(folder, f"load-{name}.png")
-        load(name, table, path)
-        yield path
+        raise NotWritten(f"{run.directory}: summary.json has no debris and no load on a plate")
+    jobs = [("debris", debris, (gaps,))] if gaps else []
+    return jobs + [(f"load-{name}", load, (name, table)) for name, table in plates.items()]
