@@ -37,15 +37,14 @@ def debris(gaps, path):
 def load(name, table, path):
     by = "radius" if "load_by_radius_edges_cm" in table else "place"
     edges = table[f"load_by_{by}_edges_cm"]
-    figure, panels = plt.subplots(3, 1, figsize=(8, 8), sharex=True, layout="constrained")
+    figure, panels = plt.subplots(1, 3, figsize=(13, 3.8), layout="constrained")
     for axes, quantity, words in zip(panels, (f"landed_mass_by_{by}_g_per_cm2", f"impulse_by_{by}_Mbar_us",
                                               f"delivered_energy_by_{by}_Mbar_cm"),
                                      ("mass, g/cm$^2$", "impulse, Mbar us", "energy, Mbar cm")):
         steps(axes, edges, table[quantity])
-        axes.set_ylabel(words)
-    panels[0].set_title(f"{name}: {table['landed_mass_g']:.3g} g, {table['impulse_g_cm_per_us']:.3g} g cm/us, "
+        axes.set(ylabel=words, xlabel="radius, cm" if by == "radius" else "x, cm")
+    figure.suptitle(f"{name}: {table['landed_mass_g']:.3g} g, {table['impulse_g_cm_per_us']:.3g} g cm/us, "
                         f"{table['delivered_energy_Mbar_cm3']:.3g} Mbar cm$^3$")
-    panels[-1].set_xlabel("radius, cm" if by == "radius" else "x, cm")
     figure.savefig(path, dpi=120)
     plt.close(figure)
 
