@@ -9,7 +9,7 @@ measured; of each gauge its fields against time; results against time. Or one of
     --against OTHER          the same times of two runs side by side, in one window and scale
     --radiograph             what flash radiographs would show
     --strip                  all stages side by side, what is solid drawn solid
-    --figure NAME            figures of the paper of 1993: all | handovers | 2a ... 4 (doc/results.md)
+    --figure NAME            figures of the paper of 1993: all | handovers | 2a ... 4 (doc/output.md)
     --debris                 debris of each gap by angle and velocity, load on the last plate by radius
     --limit                  ballistic limit curve of the shield, with this shot and the tests near it
 

@@ -12,6 +12,7 @@ from matplotlib.ticker import FuncFormatter
 
 from . import marks
 from .panel import show
+from .quantities import told_apart
 from .windows import Window
 
 DPI = 120
@@ -64,9 +65,9 @@ def layout_of(panels, scales, bodies, beside):
     return Layout(panels, scales, bodies, beside)
 
 
-def cleared_layout(run, panels, names, scales, beside):
+def cleared_layout(run, snapshot, panels, names, scales, beside):
     layout = layout_of(panels, tuple(scales[name] for name in dict.fromkeys(names) if name != "bodies"),
-                       tuple(run.bodies) if "bodies" in names else (), beside)
+                       tuple(run.bodies) if "bodies" in names and told_apart(run, snapshot) else (), beside)
     layout.wipe()
     return layout
 
@@ -139,6 +140,10 @@ def names_by_panel(planar, names):
     return [(name, name) for name in reversed(names)] if planar else [(names[0], names[-1])]
 
 
+def save(figure, path):
+    figure.savefig(path, dpi=DPI, pil_kwargs={"compress_level": 3} if path.endswith("png") else None)
+
+
 def panel(axes, run, snapshot, window, pair, scales, first):
     show(axes, run, snapshot, window, pair, scales, (int(PANEL * DPI), int(PANEL * DPI)))
     marks.mark(axes, run, snapshot, window)
@@ -150,19 +155,19 @@ def frame(run, snapshot, window, scene, names, scales, path):
     """Draw one. names: of the right half and of the left half (planar: of the right and the left panel). scene: Window of the
     overview."""
     pairs = names_by_panel(run.is_planar, names)
-    layout = cleared_layout(run, len(pairs), names, scales, True)
+    layout = cleared_layout(run, snapshot, len(pairs), names, scales, True)
     for number, pair in enumerate(pairs):
         panel(layout.panels[number], run, snapshot, window, pair, scales, number == 0)
     overview(layout, run, snapshot, window, scene, pairs[-1], scales)
     enlarged(layout, run, snapshot, window, pairs[-1], scales)
     head(layout, run, snapshot)
-    layout.figure.savefig(path, dpi=DPI)
+    save(layout.figure, path)
     snapshot.forget()
 
 
 def side_by_side(pairs, window, names, scales, path):
     """Two runs: pairs [(run, snapshot, words)], the same window and scale."""
-    layout = cleared_layout(pairs[0][0], len(pairs), names, scales, False)
+    layout = cleared_layout(*pairs[0][:2], len(pairs), names, scales, False)
     for number, (run, snapshot, words) in enumerate(pairs):
         axes = layout.panels[number]
         panel(axes, run, snapshot, window, names, scales, number == 0)
@@ -172,4 +177,4 @@ def side_by_side(pairs, window, names, scales, path):
         layout.text(left, 0.42, f"{time_words(run, snapshot)}, stage {snapshot.stage}", fontsize=10)
         layout.text(left, layout.height - 0.12, results, fontsize=9)
         snapshot.forget()
-    layout.figure.savefig(path, dpi=DPI)
+    save(layout.figure, path)

@@ -101,7 +101,8 @@ class Scale:
         kind, low, high = self.quantity.kind, self.low, self.high
         widest = round_up(max(abs(low), abs(high)))
         if kind == "log":
-            return LogNorm(round_up(high) * 10.0**-self.quantity.decades, round_up(high), clip=True)
+            least = 10.0**np.floor(np.log10(low)) if 0.0 < low < high else 0.0
+            return LogNorm(max(round_up(high) * 10.0**-self.quantity.decades, least), round_up(high), clip=True)
         if kind == "signed log":
             return SymLogNorm(widest * 10.0**-self.quantity.decades, vmin=-widest, vmax=widest, base=10, clip=True)
         if self.is_signed:
@@ -134,6 +135,11 @@ def colours_of_bodies(bodies):
     """Name -> RGB of each body."""
     return {name: np.array(matplotlib.colors.to_rgb(BODY_COLOURS[number % len(BODY_COLOURS)]))
             for number, name in enumerate(bodies)}
+
+
+def told_apart(run, snapshot):
+    """Whether the elements know which body they are of."""
+    return bool(snapshot.body_shares(run.bodies).any())
 
 
 def paint_bodies(run, snapshot):
