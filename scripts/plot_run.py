@@ -24,19 +24,12 @@ import argparse
 import os
 import sys
 
+from one_line import OneLine
 from pictures import ballistic_limit, debris, figures, film, gauges, history, of_times
 from pictures.drawn import Job, draw_all, state_of
 from pictures.windows import Window
 
 import whipple
-
-
-class OneLine(argparse.ArgumentParser):
-    """Says in one line what is wrong."""
-
-    def error(self, message):
-        print(f"plot: {message}", file=sys.stderr)
-        sys.exit(2)
 
 
 def positive(text):
@@ -47,7 +40,7 @@ def positive(text):
 
 
 def parse():
-    parser = OneLine(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLine("plot", __doc__)
     parser.add_argument("directory", help="output directory of a run")
     parser.add_argument("--output", help="folder of the pictures; default DIR/pictures")
     parser.add_argument("--format", choices=["png", "svg"], default="png")
@@ -150,6 +143,8 @@ def main():
         if arguments.film:
             print(film.make(paths, os.path.join(folder, f"film-{jobs[0].file.rsplit('-', 1)[0]}")))
         print(f"{len(paths)} pictures in {folder}: {drawn} drawn, {len(paths) - drawn} as they were", file=sys.stderr)
+    except KeyboardInterrupt:
+        sys.exit(130)
     except (whipple.WhippleError, OSError) as error:
         words = str(error)
         print(words if words.startswith(arguments.directory) else f"{arguments.directory}: {words}", file=sys.stderr)

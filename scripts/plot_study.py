@@ -10,13 +10,13 @@
 
 Needs python3-matplotlib.
 """
-import argparse
 import math
 import os
 import re
 import sys
 import textwrap
 
+from one_line import OneLine
 import pictures  # noqa: F401  draws without a screen; finds whipple
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter
@@ -235,14 +235,14 @@ def draw(study, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLine("plot", __doc__)
     parser.add_argument("directory", help="directory of a study")
     parser.add_argument("--output", help="folder of the plots; default DIR")
     arguments = parser.parse_args()
     try:
         for path in draw(whipple.Study(arguments.directory), arguments.output or arguments.directory):
             print(path)
-    except whipple.WhippleError as error:
+    except (whipple.WhippleError, OSError) as error:
         print(error, file=sys.stderr)
         sys.exit(2)
 

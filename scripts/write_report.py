@@ -6,17 +6,17 @@
 
 Needs python3-matplotlib and python3-h5py.
 """
-import argparse
 import os
 import sys
 
+from one_line import OneLine
 from report import of_run, of_study
 
 import whipple
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLine("report", __doc__)
     parser.add_argument("directory", help="output of a run or a study")
     parser.add_argument("--output", metavar="FILE", help="default DIR/report.html")
     arguments = parser.parse_args()

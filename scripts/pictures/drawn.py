@@ -10,6 +10,7 @@ import hashlib
 import json
 import multiprocessing
 import os
+import signal
 import sys
 import time
 from dataclasses import dataclass
@@ -66,6 +67,11 @@ def write_book(folder, book):
 JOBS = []  # of this process and those it forks: what they hold need not be sent
 
 
+def leave_interrupts():
+    """Ctrl-C is for the process that waits."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
 def draw_job(number):
     folder, job = JOBS[number]
     try:
@@ -100,7 +106,7 @@ def draw_all(jobs, folder, again=False):
     processes = min(len(os.sched_getaffinity(0)), len(new))
     try:
         if processes > 1:
-            with multiprocessing.get_context("fork").Pool(processes) as pool:
+            with multiprocessing.get_context("fork").Pool(processes, initializer=leave_interrupts) as pool:
                 finish(pool.imap_unordered(draw_job, range(len(new))), new, folder, book, progress)
         else:
             finish(map(draw_job, range(len(new))), new, folder, book, progress)

@@ -141,7 +141,8 @@ def names_by_panel(planar, names):
 
 
 def save(figure, path):
-    figure.savefig(path, dpi=DPI, pil_kwargs={"compress_level": 3} if path.endswith("png") else None)
+    how = {"pil_kwargs": {"compress_level": 3}} if path.endswith("png") else {}
+    figure.savefig(path, dpi=DPI, **how)
 
 
 def panel(axes, run, snapshot, window, pair, scales, first):

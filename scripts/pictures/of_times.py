@@ -64,7 +64,7 @@ def chosen(run, every=1, stage=None, time=None):
 
 def radiographs(run, snapshots, window, kind):
     """Jobs of what flash radiographs would show."""
-    where = [window] * len(run.snapshots) if window else windows.windows_of(run, [windows.extent(s, run.is_planar) for s in run.snapshots])
+    where = [window] * len(run.snapshots) if window else windows.windows_of(run, [look_at(run, s.number, ())[0] for s in run.snapshots])
     most = radiograph.densest(run, where)
     return [Job(f"radiograph-{s.number:05d}.{kind}", radiograph.picture, (run, s, where[s.number], most),
                 (state_of(s.path), s.time, where[s.number], most)) for s in snapshots]

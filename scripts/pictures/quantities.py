@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, SymLogNorm
 
 BACKGROUND = (0.885, 0.875, 0.845)  # neither white, which is zero, nor any of the colours
-BODY_COLOURS = ["#d55e00", "#0072b2", "#5a6472", "#009e73", "#cc79a7", "#b8860b", "#56b4e9", "#7a3b8f"]
+BODY_COLOURS = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#b8860b", "#56b4e9", "#7a3b8f", "#5a6472"]
 SOLID_ENOUGH = 1e-3  # solid fraction of elements that a scale is made for
 
 

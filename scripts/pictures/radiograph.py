@@ -90,8 +90,11 @@ def image_of(run, snapshot, window):
 
 def densest(run, windows):
     """Where the scale of all radiographs of a run ends: at the beginnings of its stages plates are seen edge on."""
-    firsts = [group[0] for _, group in run.stages()]
-    return round_up(max(image_of(run, snapshot, windows[snapshot.number])[0].max() for snapshot in firsts))
+    most = 0.0
+    for first in (group[0] for _, group in run.stages()):
+        most = max(most, image_of(run, first, windows[first.number])[0].max())
+        first.forget()
+    return round_up(most)
 
 
 def picture(run, snapshot, window, most, path):

@@ -50,7 +50,9 @@ for field in speed,speed bodies mesh 'deviatoric stress 11'; do
 done
 draws 'fields-00000.png' --time 0 --window 1 -0.5 0.5
 draws 'fields-00000.png' --time 0 --planar --window -1 1 -0.5 0.5
-draws 'fields-00000.png fields-00004.png fields-00008.png film-fields.gif' --every 4 --film || draws 'fields-00000.png fields-00004.png fields-00008.png film-fields.mp4' --every 4 --film
+end=gif
+! command -v ffmpeg >/dev/null || end=mp4
+draws "fields-00000.png fields-00004.png fields-00008.png film-fields.$end" --every 4 --film
 run other 'Output/Fields interval = 8 us'
 draws 'against-fields-00002.png' --against other --time 1
 
@@ -89,6 +91,14 @@ for content in '{}' '{"study": ' '[]'; do
   printf '%s' "$content" >study/study.json
   refuses 'study.json' /usr/bin/python3 "$source/scripts/plot_study.py" study
 done
+
+refuses 'unrecognized arguments: --every' /usr/bin/python3 "$source/scripts/plot_study.py" study --every 3
+refuses 'unrecognized arguments' /usr/bin/python3 "$source/scripts/write_report.py" full --radiograph
+printf '{}' >bare_summary.json
+mv full/summary.json whole.json
+cp bare_summary.json full/summary.json
+refuses "summary.json: has no 'status'" plot full
+mv whole.json full/summary.json
 
 run bare 'Output/Fields interval = none'
 refuses 'has no fields: set Output/Fields interval' plot bare --strip
