@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of the lists in summary.json: debris of each gap by angle and velocity, load on the last plate by radius.
 Needs python3-matplotlib."""
-import os
-
 import matplotlib.pyplot as plt
 
 from whipple import NotWritten

@@ -9,8 +9,6 @@ Elements are drawn twice: on the right as they are, coloured by density; on the 
 a third solid is drawn as a third of itself: dust is a cloud of points, a fragment is solid. On a fixed mesh the line around all that
 is more than half solid is drawn too. Needs python3-matplotlib and python3-h5py.
 """
-import os
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable

@@ -59,7 +59,8 @@ def words_of(name, result):
 
 
 def arrow(axes, start, end):
-    axes.annotate("", xy=end, xytext=start, arrowprops={"arrowstyle": "<->", "color": "k", "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0})
+    axes.annotate("", xy=end, xytext=start, arrowprops={"arrowstyle": "<->", "color": "k", "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0,
+                                                        "path_effects": HALO})
 
 
 def hole_and_crater(axes, plate, result, window):

@@ -56,7 +56,8 @@ def show(axes, run, snapshot, window, names, scales, pixels):
 def put(axes, run, window, picture):
     """A picture of a window, with its axes."""
     left = window.x_min if run.is_planar else -window.x_max
-    axes.imshow(np.rint(255.0 * picture).astype(np.uint8), origin="lower", extent=(left, window.x_max, window.z_min, window.z_max), interpolation="nearest")
+    axes.imshow(np.rint(255.0 * picture).astype(np.uint8), origin="lower", interpolation="nearest",
+                extent=(left, window.x_max, window.z_min, window.z_max))
     axes.set(xlim=(left, window.x_max), ylim=(window.z_min, window.z_max), aspect="equal",
              xlabel="x, cm" if run.is_planar else "r, cm", ylabel="y, cm" if run.is_planar else "z, cm")
     axes.tick_params(labelsize=8, direction="out")

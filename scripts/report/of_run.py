@@ -131,7 +131,8 @@ def phases(entry):
         return ""
     if all(isinstance(value, dict) for value in entry.values()):
         keys = list(dict.fromkeys(key for value in entry.values() for key in value))
-        return table(["phase", *(key.replace("_", " ") for key in keys)], [[name, *(value.get(key) for key in keys)] for name, value in entry.items()])
+        return table(["phase", *(key.replace("_", " ") for key in keys)],
+                     [[name, *(value.get(key) for key in keys)] for name, value in entry.items()])
     whole = sum(value for value in entry.values() if isinstance(value, (int, float))) or 1.0
     ordered = sorted(entry.items(), key=lambda pair: -(pair[1] or 0.0))
     return table(["phase", "s", "%"], [[name, value, 100.0 * (value or 0.0) / whole] for name, value in ordered])

@@ -29,7 +29,8 @@ def headlines(study):
             finest = min((study.points[label] for label in series["points"]), key=lambda point: point.cell_cm)
             estimate = estimates.get(series["label"], {})
             bar, value = estimate.get("error_bar"), value_of(finest, quantity)
-            rows.append([series["label"], finest.cell_cm, with_error(value, bar), estimate.get("extrapolated"), estimate.get("order"), estimate.get("verdict", "")])
+            rows.append([series["label"], finest.cell_cm, with_error(value, bar), estimate.get("extrapolated"), estimate.get("order"),
+                         estimate.get("verdict", "")])
         text += f"<h3>{escape(quantity['readable'])}</h3>\n" + table(
             ["series", "finest cell, cm", "value", "limit", "order", "convergence"], rows)
     return text
@@ -107,8 +108,9 @@ def page(study):
     """All of it as text. Errors: whipple.Damaged."""
     content = study.content
     done = sum(point.status == "completed" for point in study.points.values())
-    made = Page(study.title, f"<p>A study of {len(study.points)} points, {done} completed. <span class=\"soft\">{escape(content.get('program', ''))}; "
-                             f"{escape(os.path.abspath(study.directory))}</span></p>\n<p><code>{escape(content.get('command', ''))}</code></p>\n")
+    where = f"{escape(content.get('program', ''))}; {escape(os.path.abspath(study.directory))}"
+    made = Page(study.title, f'<p>A study of {len(study.points)} points, {done} completed. <span class="soft">{where}</span></p>\n'
+                             f"<p><code>{escape(content.get('command', ''))}</code></p>\n")
     made.add("results", "Results", headlines(study) + errors_of_points(study) + verdicts(study) + all_results(study))
     made.add("plots", "Error and cost", plots(study))
     made.add("choices", "Choices beside the mesh", choices(study))
