@@ -26,7 +26,7 @@ import sys
 
 from one_line import OneLine
 from pictures import ballistic_limit, debris, figures, film, gauges, history, of_times
-from pictures.drawn import Job, draw_all, state_of
+from pictures.drawn import Job, draw_all, remove_stale, state_of
 from pictures.windows import Window
 
 import whipple
@@ -139,6 +139,8 @@ def main():
         run.is_planar = run.is_planar or arguments.planar
         folder = arguments.output or run.path("pictures")
         jobs = jobs_of(parser, arguments, run)
+        if not arguments.output:
+            remove_stale(folder, len(run.snapshots_or_none))
         paths, drawn = draw_all(jobs, folder, arguments.again)
         if arguments.film:
             print(film.make(paths, os.path.join(folder, f"film-{jobs[0].file.rsplit('-', 1)[0]}")))

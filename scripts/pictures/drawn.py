@@ -10,6 +10,7 @@ import hashlib
 import json
 import multiprocessing
 import os
+import re
 import signal
 import sys
 import time
@@ -114,6 +115,19 @@ def draw_all(jobs, folder, again=False):
         JOBS.clear()
         write_book(folder, book)
     return [os.path.join(folder, job.file) for job in jobs], len(new)
+
+
+def remove_stale(folder, count):
+    """Pictures that we drew of an earlier run in this directory, of written times from number COUNT on, which this run has not."""
+    book = read_book(folder)
+    for file in list(book):
+        numbered = re.search(r"-(\d{5})\.(png|svg)$", file)
+        if numbered and int(numbered[1]) >= count:
+            del book[file]
+            if os.path.exists(os.path.join(folder, file)):
+                os.remove(os.path.join(folder, file))
+    if book:
+        write_book(folder, book)
 
 
 def finish(results, jobs, folder, book, progress):

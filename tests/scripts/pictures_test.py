@@ -155,6 +155,11 @@ class Frames(unittest.TestCase):
             finally:
                 sys.stdout.close()
                 sys.stdout = kept
+            folder = self.path / "pictures" / symmetry
+            (folder / "own-00007.png").touch()  # not ours
+            drawn.remove_stale(str(folder), 2)
+            self.assertEqual(sorted(os.listdir(folder)), [".drawn.json", "own-00007.png", *(os.path.basename(p) for p in paths[:2])])
+            paths.pop()
             sizes = {frames.plt.imread(path).shape for path in paths}
             self.assertEqual(len(sizes), 1)
             self.assertGreater(frames.plt.imread(paths[0]).std(), 0.02)
