@@ -5,6 +5,7 @@ import os
 from pictures import ballistic_limit, debris, figures, of_times
 from pictures.drawn import draw_all
 from whipple import NotWritten, WhippleError
+from whipple.units import readable
 
 from . import curves, results
 from .page import Html, Page, escape, folded, number, picture_file, preformatted, table
@@ -87,6 +88,12 @@ def stages(run):
     return text + (f"<h3>Warnings</h3>\n{preformatted(chr(10).join(warnings))}" if warnings else "")
 
 
+def title_of(key):
+    """'mass, g' of 'mass_g'."""
+    words, unit = readable(key)
+    return f"{words}, {unit}" if unit else words
+
+
 def dropped_words(entry):
     return {f"dropped: {what}": amount for what, amount in (entry.get("dropped") or {}).items()}
 
@@ -114,7 +121,7 @@ def ledger(run):
     bodies = books.get("bodies") or {}
     if bodies:
         keys = list(dict.fromkeys(key for body in bodies.values() for key in body))
-        text += "<h3>Bodies at the end</h3>\n" + table(["body", *(key.replace("_", " ") for key in keys)],
+        text += "<h3>Bodies at the end</h3>\n" + table(["body", *map(title_of, keys)],
                                                        [[name, *(body.get(key) for key in keys)] for name, body in bodies.items()])
     return text
 
@@ -131,7 +138,7 @@ def phases(entry):
         return ""
     if all(isinstance(value, dict) for value in entry.values()):
         keys = list(dict.fromkeys(key for value in entry.values() for key in value))
-        return table(["phase", *(key.replace("_", " ") for key in keys)],
+        return table(["phase", *map(title_of, keys)],
                      [[name, *(value.get(key) for key in keys)] for name, value in entry.items()])
     whole = sum(value for value in entry.values() if isinstance(value, (int, float))) or 1.0
     ordered = sorted(entry.items(), key=lambda pair: -(pair[1] or 0.0))
