@@ -6,11 +6,13 @@ prm/studies/adaptive_*.prm.
     for study in prm/studies/adaptive_*.prm; do ./whipple study "$study"; done
     scripts/adaptivity_page.py output
 """
-import json
 import pathlib
 import sys
 
+import package  # noqa: F401
 import study_page
+
+import whipple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -36,7 +38,7 @@ def result_of(point):
 
 
 def section(prm, directory):
-    study = json.loads((directory / "study.json").read_text(encoding="utf-8"))
+    study = whipple.Study(directory).content
     points = [p for p in study["points"] if p["status"] == "completed"]
     uniform = {p["cell_cm"]: p for p in points if p["choices"]["mesh"] == "uniform"}
     what = result_of(points[0])[0]

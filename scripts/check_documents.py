@@ -13,7 +13,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("source", "include", "tests", "prm", "doc", "scripts", "bench", "cmake")
+FOLDERS = ("source", "include", "tests", "prm", "doc", "scripts", "python", "bench", "cmake")
 ROOMS = [room.name for room in (ROOT / "include/whipple").iterdir() if room.is_dir() and room.name != "output"]  # output/: of runs
 SHORT = re.compile(r"`((?:%s)/[\w./*-]+)`" % "|".join(ROOMS))
 PAGE = re.compile(r"(?<![\w/.])doc/[\w/]+\.(?:md|bib)\b")

@@ -6,11 +6,13 @@ prm/studies/effects_auto.prm.
     ./whipple study prm/studies/effects_auto.prm -n 2
     scripts/effects_auto_page.py output
 """
-import json
 import pathlib
 import sys
 
+import package  # noqa: F401
 import study_page
+
+import whipple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STUDY = ROOT / "prm" / "studies" / "effects_auto.prm"
@@ -29,10 +31,6 @@ effect costs is measured in [effects_cost.md](effects_cost.md).
 """
 
 
-def summary(point):
-    return json.loads((point / "summary.json").read_text(encoding="utf-8"))
-
-
 def figures(data):
     """What is compared: name -> value."""
     bodies, bumper = data["ledger"]["bodies"], data["results"]["bumper"]
@@ -49,13 +47,10 @@ def difference(a, b):
 
 
 def rows(directory):
-    study = json.loads((directory / "study.json").read_text(encoding="utf-8"))
     pairs = {}
-    for point in study["points"]:
-        if point["status"] == "completed":
-            pairs.setdefault(point["choices"]["speed"], {})[point["choices"]["effects"]] = summary(
-                directory / "points" / f"speed={point['choices']['speed'].replace(' ', '').replace('/', '_')},"
-                f"effects={point['choices']['effects']}")
+    for point in whipple.Study(directory).points.values():
+        if point.status == "completed":
+            pairs.setdefault(point.choices["speed"], {})[point.choices["effects"]] = point.run.summary
     for speed, pair in pairs.items():
         if {"auto", "all"} <= pair.keys():
             yield speed, pair["auto"], pair["all"]

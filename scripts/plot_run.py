@@ -1,125 +1,155 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of a run. Without options: for each written time density, solid fraction and axial velocity of the elements as
-they are (deformed in Lagrangian stages), mirrored about the axis; and of each gauge its fields against time. Or one of:
+"""Pictures of a run. Without options: of each written time the density (right half) and the bodies (left half), with what has been
+measured; of each gauge its fields against time; results against time. Or one of:
 
-    --radiograph [--time T]  what a flash radiograph would show at a time (us), or at each written one
+    --field A[,B]            other quantities: A on the right, B on the left half (planar scenes: two panels):
+                             density, solid, void fraction, speed, velocity (axial), pressure, temperature,
+                             plastic strain, melt, damage, energy, bodies, mesh, or any field of the run
+    --against OTHER          the same times of two runs side by side, in one window and scale
+    --radiograph             what flash radiographs would show
     --strip                  all stages side by side, what is solid drawn solid
     --figure NAME            figures of the paper of 1993: all | handovers | 2a ... 4 (doc/output.md)
     --debris                 debris of each gap by angle and velocity, load on the last plate by radius
     --limit                  ballistic limit curve of the shield, with this shot and the tests near it
 
-    scripts/plot_run.py DIR [--output FOLDER] [--every N] [--window R Z_MIN Z_MAX] [--planar] [one of the above]
+Which times: --time T, --stage NAME, --every N. Which part: --window R Z_MIN Z_MAX (planar: X_MIN X_MAX Y_MIN Y_MAX), else one that
+follows what matters. --film makes a film of them as well. Colours have one scale for the whole run.
 
-Needs python3-matplotlib and python3-h5py.
+    scripts/plot_run.py DIR [--output FOLDER] [--format png | svg] [--planar] [--again] [options above]
+
+Only what is new is drawn, unless --again. Needs python3-matplotlib and python3-h5py.
 """
 import argparse
 import os
 import sys
 
-import matplotlib
+from one_line import OneLine
+from pictures import ballistic_limit, debris, figures, film, gauges, history, of_times
+from pictures.drawn import Job, draw_all, remove_stale, state_of
+from pictures.windows import Window
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
-from matplotlib.colors import LogNorm, Normalize
-
-import ballistic_limit
-import figures
-import plot_results
-import radiograph
-import run_fields
-import run_record
-from drawing import draw
-from plot_gauges import draw_gauges
+import whipple
 
 
-def picture(snapshot, path, window, planar):
-    """Density on the right, solid fraction on the left (mirrored); beside them the axial velocity."""
-    r_max, z_min, z_max = window or run_fields.window_of(snapshot.corners)
-    height = 7.0
-    width = np.clip(height * 2 * r_max / (z_max - z_min), 3.0, 9.0)
-    figure, (left, right) = plt.subplots(1, 2, figsize=(2 * width + 2.5, height), layout="constrained")
-    mirrored = snapshot.corners * [-1.0, 1.0]
-    density = np.maximum(snapshot.fields["density"], 1e-12)
-    scale = LogNorm(1e-4 * density.max(), density.max())
-    bar = draw(left, snapshot.corners, density, scale, "inferno")
-    figure.colorbar(bar, ax=left, label="density, g/cm$^3$", shrink=0.8)
-    if not planar:
-        solid = np.maximum(snapshot.fields["solid_fraction"], 1e-12)
-        bar = draw(left, mirrored, solid, LogNorm(1e-4, 1.0), "viridis")
-        figure.colorbar(bar, ax=left, label="solid fraction (left half)", shrink=0.8, location="left")
-
-    speed = 10.0 * snapshot.axial_velocity  # cm/us -> km/s
-    scale = Normalize(min(speed.min(), 0.0), max(speed.max(), 0.0) or 1.0)
-    for corners in (snapshot.corners,) if planar else (snapshot.corners, mirrored):
-        bar = draw(right, corners, speed, scale, "coolwarm")
-    figure.colorbar(bar, ax=right, label="axial velocity, km/s", shrink=0.8)
-    for axes in (left, right):
-        axes.set(xlim=(0 if planar else -r_max, r_max), ylim=(z_min, z_max), aspect="equal")
-        axes.set(xlabel="x, cm" if planar else "r, cm", ylabel="y, cm" if planar else "z, cm")
-    figure.suptitle(f"{snapshot.stage}, t = {snapshot.time:.3f} us, {len(snapshot.corners)} elements")
-    figure.savefig(path, dpi=110, bbox_inches="tight")
-    plt.close(figure)
+def positive(text):
+    number = int(text) if text.lstrip("+-").isdigit() else 0
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
+    return number
 
 
-def each_time(times, arguments):
-    for snapshot in times[::arguments.every]:
-        path = os.path.join(arguments.output, f"fields-{snapshot.number:05d}.png")
-        picture(snapshot, path, arguments.window, arguments.planar)
-        snapshot.forget()
-        yield path
-    yield from draw_gauges(arguments.directory, arguments.output)
-
-
-def radiographs(times, plates, arguments):
-    chosen = times[::arguments.every] if arguments.time is None else [run_fields.nearest(times, arguments.time)]
-    for snapshot in chosen:
-        path = os.path.join(arguments.output, f"radiograph-{snapshot.number:05d}.png")
-        radiograph.picture(snapshot, path, arguments.window, plates, arguments.planar)
-        snapshot.forget()
-        yield path
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def parse():
+    parser = OneLine("plot", __doc__)
     parser.add_argument("directory", help="output directory of a run")
     parser.add_argument("--output", help="folder of the pictures; default DIR/pictures")
-    parser.add_argument("--every", type=int, default=1, help="only each N-th written time")
-    parser.add_argument("--window", type=float, nargs=3, metavar=("R", "Z_MIN", "Z_MAX"), help="part to show, cm")
-    parser.add_argument("--planar", action="store_true", help="do not mirror; default: as parameters.prm says")
+    parser.add_argument("--format", choices=["png", "svg"], default="png")
+    parser.add_argument("--every", type=positive, default=1, metavar="N", help="only each N-th written time")
+    parser.add_argument("--stage", metavar="NAME", help="only written times of this stage")
     parser.add_argument("--time", type=float, metavar="T", help="the written time nearest to this one, us")
+    parser.add_argument("--window", type=float, nargs="+", metavar="CM", help="R Z_MIN Z_MAX, or X_MIN X_MAX Y_MIN Y_MAX")
+    parser.add_argument("--planar", action="store_true", help="do not mirror; default: as parameters.prm says")
+    parser.add_argument("--field", metavar="A[,B]", help="quantities to show; default density,bodies")
+    parser.add_argument("--film", action="store_true", help="a film of the pictures: mp4 with ffmpeg, else gif")
+    parser.add_argument("--again", action="store_true", help="draw also what is there already")
     what = parser.add_mutually_exclusive_group()
+    what.add_argument("--against", metavar="OTHER", help="directory of another run")
     what.add_argument("--radiograph", action="store_true", help="areal density seen from the side")
     what.add_argument("--strip", action="store_true", help="all stages side by side")
     what.add_argument("--figure", metavar="NAME", help="all | handovers | the name of one: 2a, 3f, 4 ...")
     what.add_argument("--debris", action="store_true", help="debris by angle and velocity, load by radius")
     what.add_argument("--limit", action="store_true", help="ballistic limit curve with this shot and tests")
     arguments = parser.parse_args()
-    arguments.output = arguments.output or os.path.join(arguments.directory, "pictures")
-    values = run_record.parameters(arguments.directory)
-    arguments.planar = arguments.planar or run_record.is_planar(values)
-    times = run_fields.snapshots(arguments.directory)
-    os.makedirs(arguments.output, exist_ok=True)
+    if arguments.film and arguments.format != "png":
+        parser.error("a film is made of png, not of svg")
+    if arguments.field and (arguments.radiograph or arguments.strip or arguments.figure or arguments.debris or arguments.limit):
+        parser.error("--field goes with pictures of written times and --against")
+    arguments.names = names_of(parser, arguments.field)
+    return parser, arguments
+
+
+def names_of(parser, text):
+    """(right, left) of --field."""
+    names = tuple(name.strip().replace("_", " ") for name in (text or "density,bodies").split(","))
+    if len(names) > 2 or not all(names):
+        parser.error(f"--field '{text}': one quantity, or two with a comma between")
+    return names if len(names) == 2 else (names[0], "bodies")
+
+
+def window_of(parser, numbers, planar):
+    """Errors: exit status 2."""
+    if numbers is None:
+        return None
+    if len(numbers) == 3 and not (planar and numbers[0] <= 0):
+        numbers = [0.0, *numbers]
+    if len(numbers) != 4 or numbers[0] >= numbers[1] or numbers[2] >= numbers[3] or not planar and numbers[0] != 0.0:
+        parser.error("--window: R Z_MIN Z_MAX with R > 0 and Z_MIN < Z_MAX; planar scenes X_MIN X_MAX Y_MIN Y_MAX")
+    x_min, x_max, z_min, z_max = numbers
+    width = x_max - x_min if planar else 2.0 * x_max
+    grown = 0.5 * max(width - (z_max - z_min), 0.0)  # panels are square
+    wider = 0.5 * max(z_max - z_min - width, 0.0)
+    return Window(x_min - wider if planar else 0.0, x_max + wider, z_min - grown, z_max + grown)
+
+
+def simple(run, kind, listed):
+    """Jobs of [(file name, what draws it, its arguments)], which depend on what the run has written."""
+    files = [run.path("summary.json"), run.path("history.csv"), run.path("parameters.prm")]
+    states = tuple(state_of(path) for path in files) + ((run.snapshots_or_none and state_of(run.snapshots_or_none[-1].path)),)
+    gauged = tuple(state_of(run.path("gauges", f"{name}.csv")) for name in run.gauges)
+    return [Job(f"{name}.{kind}", draw, arguments, (name, states, gauged, run.is_planar)) for name, draw, arguments in listed]
+
+
+def jobs_of(parser, arguments, run):
+    """What is to be drawn. Errors: whipple.WhippleError."""
+    kind = arguments.format
+    window = window_of(parser, arguments.window, run.is_planar)
+    if arguments.debris:
+        return simple(run, kind, debris.pictures(run))
+    if arguments.limit:
+        return simple(run, kind, [("ballistic_limit", ballistic_limit.picture, (run,))])
+    beside = simple(run, kind, gauges.pictures(run) + history.pictures(run))
+    if beside and not run.snapshots_or_none and not (arguments.strip or arguments.figure or arguments.radiograph or arguments.against):
+        return beside
+    snapshots = of_times.chosen(run, arguments.every, arguments.stage, arguments.time)
+    if arguments.strip:
+        return simple(run, kind, [("strip", figures.strip, (run,))])
+    if arguments.figure:
+        return simple(run, kind, figures.by_name(arguments.figure, run))
+    if arguments.radiograph:
+        return of_times.radiographs(run, snapshots, window, kind)
+    if arguments.against:
+        other = run_of(arguments.against)
+        return of_times.against(run, other, snapshots, arguments.names, window, kind)
+    times = of_times.Times(run, arguments.names, window)
+    usual = not (arguments.field or arguments.time is not None or arguments.stage or arguments.film)
+    return [times.frame(snapshot, kind) for snapshot in snapshots] + (beside if usual else [])
+
+
+def run_of(directory):
+    run = whipple.open(directory)
+    if not isinstance(run, whipple.Run):
+        raise whipple.NotARun(f"{directory}: is a study, not a run")
+    return run
+
+
+def main():
+    parser, arguments = parse()
     try:
-        if not times and not (arguments.limit or arguments.debris or os.path.isdir(os.path.join(arguments.directory, "gauges"))):
-            raise run_record.Unknown("has no fields (Output/Fields interval of the scene)")
-        if arguments.radiograph:
-            paths = radiographs(times, run_record.plates(values), arguments)
-        elif arguments.strip:
-            paths = figures.strip(times, values, arguments.output, arguments.planar)
-        elif arguments.figure:
-            paths = figures.by_name(arguments.figure, times, values, arguments.output, arguments.planar)
-        elif arguments.debris:
-            paths = plot_results.pictures(run_record.summary(arguments.directory), arguments.output)
-        elif arguments.limit:
-            paths = ballistic_limit.picture(values, run_record.summary(arguments.directory), arguments.output)
-        else:
-            paths = each_time(times, arguments)
-        for path in paths:
-            print(path)
-    except run_record.Unknown as error:
-        print(f"{arguments.directory}: {error}", file=sys.stderr)
+        run = run_of(arguments.directory)
+        run.is_planar = run.is_planar or arguments.planar
+        folder = arguments.output or run.path("pictures")
+        jobs = jobs_of(parser, arguments, run)
+        if not arguments.output:
+            remove_stale(folder, len(run.snapshots_or_none))
+        paths, drawn = draw_all(jobs, folder, arguments.again)
+        if arguments.film:
+            print(film.make(paths, os.path.join(folder, f"film-{jobs[0].file.rsplit('-', 1)[0]}")))
+        print(f"{len(paths)} pictures in {folder}: {drawn} drawn, {len(paths) - drawn} as they were", file=sys.stderr)
+    except KeyboardInterrupt:
+        sys.exit(130)
+    except (whipple.WhippleError, OSError) as error:
+        words = str(error)
+        print(words if words.startswith(arguments.directory) else f"{arguments.directory}: {words}", file=sys.stderr)
         sys.exit(2)
 
 

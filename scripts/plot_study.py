@@ -10,18 +10,18 @@
 
 Needs python3-matplotlib.
 """
-import argparse
-import json
 import math
 import os
 import re
+import sys
 import textwrap
 
-import matplotlib
-
-matplotlib.use("Agg")
+from one_line import OneLine
+import pictures  # noqa: F401  draws without a screen; finds whipple
 import matplotlib.pyplot as plt
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter
+
+import whipple
 
 MARKERS = "osD^vPX<>p"
 MOST_PANELS = 6
@@ -208,36 +208,43 @@ def cells_of(study):
 
 
 def save(figure, folder, name):
-    for kind in ("png", "svg"):
-        path = os.path.join(folder, f"{name}.{kind}")
+    paths = [os.path.join(folder, f"{name}.{kind}") for kind in ("png", "svg")]
+    for path in paths:
         figure.savefig(path, dpi=80)
-        print(path)
     plt.close(figure)
+    return paths
+
+
+def draw(study, folder):
+    """All plots of a study (whipple.Study); yields their paths."""
+    content = study.content
+    os.makedirs(folder, exist_ok=True)
+    plt.rcParams.update({"svg.hashsalt": "whipple", "font.size": 10})  # the same file from the same study
+    shown = {**content, "headlines": content["headlines"][:MOST_PANELS]}
+    cell_axis = next((axis["name"] for axis in content["axes"] if axis["is_cell_axis"]), None)
+    for point in content["points"]:
+        point["cell_label"] = point["choices"].get(cell_axis, f"{point['cell_cm']:g} cm")
+    methods = methods_of(shown)
+    if methods and shown["headlines"]:
+        yield from save(error_figure(shown, methods, lambda p: p["wall_s"], "wall time, s", f"{study.title}: error against price",
+                                     annotate_cells), folder, "work_precision")
+        yield from save(error_figure(shown, methods, lambda p: p["cell_cm"], "finest cell, cm",
+                                     f"{study.title}: error against cell size", reference_slopes, cells_of(shown)), folder, "convergence")
+    if methods:
+        yield from save(cost_figure(shown, methods), folder, "cost")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = OneLine("plot", __doc__)
     parser.add_argument("directory", help="directory of a study")
     parser.add_argument("--output", help="folder of the plots; default DIR")
     arguments = parser.parse_args()
-    with open(os.path.join(arguments.directory, "study.json"), encoding="utf-8") as file:
-        study = json.load(file)
-    folder = arguments.output or arguments.directory
-    os.makedirs(folder, exist_ok=True)
-    plt.rcParams.update({"svg.hashsalt": "whipple", "font.size": 10})  # the same file from the same study
-    study["headlines"] = study["headlines"][:MOST_PANELS]
-    cell_axis = next((axis["name"] for axis in study["axes"] if axis["is_cell_axis"]), None)
-    for point in study["points"]:
-        point["cell_label"] = point["choices"].get(cell_axis, f"{point['cell_cm']:g} cm")
-    methods = methods_of(study)
-    title = study["title"] or study["study"]
-    if methods and study["headlines"]:
-        save(error_figure(study, methods, lambda p: p["wall_s"], "wall time, s", f"{title}: error against price",
-                          annotate_cells), folder, "work_precision")
-        save(error_figure(study, methods, lambda p: p["cell_cm"], "finest cell, cm",
-                          f"{title}: error against cell size", reference_slopes, cells_of(study)), folder, "convergence")
-    if methods:
-        save(cost_figure(study, methods), folder, "cost")
+    try:
+        for path in draw(whipple.Study(arguments.directory), arguments.output or arguments.directory):
+            print(path)
+    except (whipple.WhippleError, OSError) as error:
+        print(error, file=sys.stderr)
+        sys.exit(2)
 
 
 if __name__ == "__main__":

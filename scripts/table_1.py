@@ -11,7 +11,7 @@ import itertools
 import os
 
 import kept_run
-import run_record
+import whipple
 
 SCENES = {"prm/multi_plate.prm": "Ours", "prm/multi_plate_1993.prm": "With the choices of 1993"}
 
@@ -59,7 +59,7 @@ def run(build, scene, cell, directory):
     """Summary and parameters of a run, made if it is not there."""
     path = os.path.join(directory, f"{os.path.splitext(os.path.basename(scene))[0]}_{cell}")
     summary = kept_run.kept_run(build, path, scene, [f"Mesh/Finest cell = {cell} cm", "Output/Fields interval = none"])
-    return summary, run_record.parameters(path)
+    return summary, whipple.Run(path).parameters
 
 
 def row(stage, values, of_1993):

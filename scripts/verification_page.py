@@ -20,6 +20,8 @@ import tempfile
 import plot_study
 import study_page
 
+import whipple
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = ROOT / "prm" / "verification"
 PICTURES = ROOT / "doc" / "pictures"
@@ -113,7 +115,7 @@ def failures(study):
 
 
 def problem(scene, directory):
-    study = json.loads((directory / "study.json").read_text(encoding="utf-8"))
+    study = whipple.Study(directory).content
     text = f"## {study['title']}\n\n`./whipple study prm/verification/{scene.name}`\n\n{study_page.introduction(scene)}\n\n"
     return text + f"![errors]({picture(study, scene.stem)})\n\n{errors_table(study)}\n{failures(study)}"
 

@@ -6,8 +6,8 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-import ballistic_limit as limit  # noqa: E402
-from run_record import Unknown  # noqa: E402
+from pictures import ballistic_limit as limit  # noqa: E402
+from whipple import Unknown  # noqa: E402
 
 PAPER = limit.Shield(bumper=0.081, bumper_density=2.8, standoff=10.16, wall=0.127, wall_yield=50.0)
 

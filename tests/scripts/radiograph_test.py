@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The projection of scripts/radiograph.py: a sphere, boxes by formula, and the mass of elements of any shape."""
+"""The projection of scripts/pictures/radiograph.py: a sphere, boxes by formula, and the mass of elements of any shape."""
 import pathlib
 import sys
 import unittest
@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-from radiograph import areal_density  # noqa: E402
+from pictures.radiograph import areal_density  # noqa: E402
 
 
 def box(r0, r1, z0, z1):

@@ -16,9 +16,11 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 
-from run_record import Unknown, bodies, plates, quantity
+from whipple import Unknown
+from whipple.scene import bodies, plates
+from whipple.units import quantity
 
-TESTS = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "data", "whipple_shots.csv")
+TESTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "data", "whipple_shots.csv")
 MPA_OF_KSI = 6.894757
 LOW, HIGH = 3.0, 7.0  # km/s
 
@@ -99,17 +101,17 @@ def shot_of(values):
     spheres = [body for body in all_bodies.values() if body["Shape"] == "sphere"]
     if len(spheres) != 1 or len(found) < 2:
         raise Unknown("the ballistic limit is that of a sphere on a bumper and a wall")
-    velocity = quantity(spheres[0]["Velocity"].split(",")[1])
+    velocity = quantity(spheres[0]["Velocity"].split(",")[1], "km/s")
     *bumpers, wall = found
-    wall_yield = values.get(f"Materials/{all_bodies[wall[0]]['Material']}/Yield stress", "")
+    wall_yield = values.get(f"Materials/{all_bodies[wall.name]['Material']}/Yield stress", "")
     if not wall_yield:
         raise Unknown("the wall's material has no entry 'Yield stress', which the limit depends on")
-    densities = [quantity(all_bodies[name]["Density"]) for name, _, _ in bumpers]
-    mass = sum(density * thickness for density, (_, _, thickness) in zip(densities, bumpers))
+    densities = [quantity(all_bodies[plate.name]["Density"], "g/cm^3") for plate in bumpers]
+    mass = sum(density * plate.thickness for density, plate in zip(densities, bumpers))
     density = densities[0]
-    standoff = wall[1] - (bumpers[0][1] + bumpers[0][2])
-    shield = Shield(mass / density, density, standoff, wall[2], quantity(wall_yield) / MPA_OF_KSI)
-    return quantity(spheres[0]["Diameter"]), quantity(spheres[0]["Density"]), velocity, shield, len(bumpers)
+    standoff = wall.front - bumpers[0].rear
+    shield = Shield(mass / density, density, standoff, wall.thickness, quantity(wall_yield, "MPa") / MPA_OF_KSI)
+    return quantity(spheres[0]["Diameter"], "cm"), quantity(spheres[0]["Density"], "g/cm^3"), velocity, shield, len(bumpers)
 
 
 def scatter(axes, tests, height):
@@ -119,12 +121,11 @@ def scatter(axes, tests, height):
                      "none", edgecolors=colour, label=f"{words} ({len(of_kind)})", zorder=3)
 
 
-def picture(values, summary, folder):
+def picture(run, path):
     """Left: the curve of this shield with the tests of shields like it; right: all tests, each over the limit of its own shield.
-    Yields the path."""
-    diameter, density, velocity, shield, bumpers = shot_of(values)
-    wall = plates(values)[-1][0]
-    result = (summary or {}).get("results", {}).get(wall, {})
+    Errors: whipple.Unknown."""
+    diameter, density, velocity, shield, bumpers = shot_of(run.parameters)
+    result = (run.summary_or_none or {}).get("results", {}).get(run.plates[-1].name, {})
     perforated = result.get("perforated")
     words = {True: "perforated", False: "held"}.get(perforated, "not decided")
     tests = list(normal_aluminium_tests())
@@ -153,7 +154,5 @@ def picture(values, summary, folder):
               ylabel="diameter / limit of the shield it was shot at")
     right.set_title("normal aluminium tests, all shields", fontsize=10)
     right.legend(fontsize=8)
-    path = os.path.join(folder, "ballistic_limit.png")
     figure.savefig(path, dpi=130)
     plt.close(figure)
-    yield path

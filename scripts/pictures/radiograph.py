@@ -15,10 +15,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
 
-from run_fields import window_of
+from .marks import scale_bar
+from .quantities import round_up
 
 EDGES_AT_A_TIME = 20000
-PIXELS = 400  # along the longer side of a picture
+PIXELS = 400  # along the height of a picture
+DECADES = 5
 
 
 def disc_integral(r, x):
@@ -75,35 +77,37 @@ def areal_density(corners, density, x_edges, z_edges, planar=False):
     return np.maximum(image, 0.0) / np.diff(x_edges)  # round-off of what cancels may leave less than nothing
 
 
-def seen(corners, plates):
-    """r_max, z_min, z_max: all heights, and the radius of what is not beside a plate; there plates may be wider."""
-    r_max, z_min, z_max = window_of(corners)
-    apart = np.ones(len(corners), dtype=bool)
-    for _, front, thickness in plates:
-        apart &= (corners[..., 1].max(axis=1) < front - thickness) | (corners[..., 1].min(axis=1) > front + 2.0 * thickness)
-    if apart.any():
-        r_max = min(r_max, 1.2 * corners[apart][..., 0].max())
-    return r_max, z_min, z_max
-
-
-def picture(snapshot, path, window, plates, planar):
-    """A radiograph of one written time: dark is dense; over five powers of ten."""
-    r_max, z_min, z_max = window or seen(snapshot.corners, plates)
-    size = max(z_max - z_min, r_max if planar else 2.0 * r_max) / PIXELS
-    columns, rows = int(np.ceil(r_max / size)), int(np.ceil((z_max - z_min) / size))
-    x_edges, z_edges = size * np.arange(columns + 1), z_min + size * np.arange(rows + 1)
-    image = areal_density(snapshot.corners, snapshot.fields["density"], x_edges, z_edges, planar)
-    if not planar:
+def image_of(run, snapshot, window):
+    """Areal density in a window, [rows, columns], and its extent."""
+    size = (window.z_max - window.z_min) / PIXELS
+    columns = int(np.ceil((window.x_max - window.x_min) / size))
+    x_edges, z_edges = window.x_min + size * np.arange(columns + 1), window.z_min + size * np.arange(PIXELS + 1)
+    image = areal_density(snapshot.corners, snapshot.array("density"), x_edges, z_edges, run.is_planar)
+    if not run.is_planar:
         image = np.hstack([image[:, ::-1], image])
-    densest = image.max() or 1.0
-    height = 7.0
-    width = np.clip(height * image.shape[1] / image.shape[0], 3.0, 14.0)
-    figure, axes = plt.subplots(figsize=(width + 2.0, height), layout="constrained")
-    shown = axes.imshow(np.maximum(image, 1e-12), origin="lower", cmap="gray_r", norm=LogNorm(1e-5 * densest, densest),
-                        extent=(0.0 if planar else -x_edges[-1], x_edges[-1], z_edges[0], z_edges[-1]), aspect="equal")
-    label = "areal density, g/cm$^2$" + (" per cm of depth" if planar else "")
-    figure.colorbar(shown, ax=axes, label=label, shrink=0.8)
-    axes.set(xlabel="x, cm", ylabel="y, cm" if planar else "z, cm")
-    axes.set_title(f"radiograph, {snapshot.stage}, t = {snapshot.time:.3f} us")
-    figure.savefig(path, dpi=130, bbox_inches="tight")
+    return image, (x_edges[0] if run.is_planar else -x_edges[-1], x_edges[-1], z_edges[0], z_edges[-1])
+
+
+def densest(run, windows):
+    """Where the scale of all radiographs of a run ends: at the beginnings of its stages plates are seen edge on."""
+    most = 0.0
+    for first in (group[0] for _, group in run.stages()):
+        most = max(most, image_of(run, first, windows[first.number])[0].max())
+        first.forget()
+    return round_up(most)
+
+
+def picture(run, snapshot, window, most, path):
+    """A radiograph of one written time: dark is dense; over five powers of ten below MOST."""
+    image, extent = image_of(run, snapshot, window)
+    width = 6.0 * image.shape[1] / image.shape[0]
+    figure, axes = plt.subplots(figsize=(width + 1.9, 6.9), layout="constrained")
+    shown = axes.imshow(np.maximum(image, 1e-12), origin="lower", cmap="gray_r", norm=LogNorm(most * 10.0**-DECADES, most),
+                        extent=extent, aspect="equal")
+    label = "areal density, g/cm$^2$" + (" per cm of depth" if run.is_planar else "")
+    figure.colorbar(shown, ax=axes, label=label, shrink=0.8).minorticks_off()
+    scale_bar(axes, window)
+    axes.set(xlabel="x, cm", ylabel="y, cm" if run.is_planar else "z, cm")
+    axes.set_title(f"radiograph, {snapshot.stage}, t = {snapshot.time - run.contact_time:.3f} us after contact", fontsize=11)
+    figure.savefig(path, dpi=130)
     plt.close(figure)

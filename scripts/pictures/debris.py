@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of the lists in summary.json: debris of each gap by angle and velocity, load on the last plate by radius.
 Needs python3-matplotlib."""
-import os
-
 import matplotlib.pyplot as plt
 
-from run_record import Unknown
+from whipple import NotWritten
 
 
 def steps(axes, edges, values, label=None):
@@ -37,32 +35,25 @@ def debris(gaps, path):
 def load(name, table, path):
     by = "radius" if "load_by_radius_edges_cm" in table else "place"
     edges = table[f"load_by_{by}_edges_cm"]
-    figure, panels = plt.subplots(3, 1, figsize=(8, 8), sharex=True, layout="constrained")
+    figure, panels = plt.subplots(1, 3, figsize=(13, 3.8), layout="constrained")
     for axes, quantity, words in zip(panels, (f"landed_mass_by_{by}_g_per_cm2", f"impulse_by_{by}_Mbar_us",
                                               f"delivered_energy_by_{by}_Mbar_cm"),
                                      ("mass, g/cm$^2$", "impulse, Mbar us", "energy, Mbar cm")):
         steps(axes, edges, table[quantity])
-        axes.set_ylabel(words)
-    panels[0].set_title(f"{name}: {table['landed_mass_g']:.3g} g, {table['impulse_g_cm_per_us']:.3g} g cm/us, "
+        axes.set(ylabel=words, xlabel="radius, cm" if by == "radius" else "x, cm")
+    figure.suptitle(f"{name}: {table['landed_mass_g']:.3g} g, {table['impulse_g_cm_per_us']:.3g} g cm/us, "
                         f"{table['delivered_energy_Mbar_cm3']:.3g} Mbar cm$^3$")
-    panels[-1].set_xlabel("radius, cm" if by == "radius" else "x, cm")
     figure.savefig(path, dpi=120)
     plt.close(figure)
 
 
-def pictures(summary, folder):
-    """Yields the paths. @raise Unknown if there is nothing to draw"""
-    results = (summary or {}).get("results", {})
-    gaps = {stage["name"]: results[stage["name"]] for stage in (summary or {}).get("stages", [])
-            if "angle_edges_deg" in results.get(stage["name"], {})}
+def pictures(run):
+    """[(file name, what draws it, its arguments)]. Errors: whipple.NotWritten if there is nothing to draw."""
+    results = run.results
+    gaps = {stage["name"]: results[stage["name"]] for stage in run.summary["stages"]
+            if "angle_edges_deg" in results.get(stage["name"], {}) and "mass_by_angle_g" in results[stage["name"]]}
     plates = {name: table for name, table in results.items() if "impulse_g_cm_per_us" in table}
     if not gaps and not plates:
-        raise Unknown("summary.json has no debris and no load on a plate")
-    if gaps:
-        path = os.path.join(folder, "debris.png")
-        debris(gaps, path)
-        yield path
-    for name, table in plates.items():
-        path = os.path.join(folder, f"load-{name}.png")
-        load(name, table, path)
-        yield path
+        raise NotWritten(f"{run.directory}: summary.json has no debris and no load on a plate")
+    jobs = [("debris", debris, (gaps,))] if gaps else []
+    return jobs + [(f"load-{name}", load, (name, table)) for name, table in plates.items()]
