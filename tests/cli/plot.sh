@@ -30,7 +30,7 @@ run full 'Output/Fields interval = 5 us'
 
 # written times: all of one size; drawn again only if something has changed
 plot full >said.txt 2>err.txt
-grep -q ': 9 drawn, 0 as they were' err.txt
+grep -q ': 11 drawn, 0 as they were' err.txt
 [ "$(picture_size full/pictures/fields-*.png | wc -w)" -eq 2 ]
 plot full >said.txt 2>err.txt
 grep -q ': 0 drawn, 9 as they were' err.txt

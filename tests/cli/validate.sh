@@ -22,5 +22,5 @@ thin='Bodies/bumper/Thickness = 0.009 cm'
 "$program" run "$source/prm/whipple_shield.prm" --output output/thin --set "$thin" --set 'Stages/List = perforation' \
   --set 'Stages/perforation/End = 0.01 us' --set 'Output/Fields interval = none' >out.txt
 grep -q "^warning: body 'bumper' is 0.009 cm thin" output/thin/log.txt
-grep -q '"warnings": 1' output/thin/summary.json || { grep warnings output/thin/summary.json; exit 1; }
+grep -q '"warnings": 2' output/thin/summary.json || { grep warnings output/thin/summary.json; exit 1; }
 rm -r output
