@@ -60,7 +60,7 @@ ELSEWHERE = """## Proved by other tests
 | thin gaps, aligned or not | `tests/verification/thin_gaps.cc` | arrival within 0.12 cells, Hugoniot state within 0.05 % |
 | traces, hot specks, the law's pole, what sides do to the first step | `tests/unit/hydro_traces.cc` | |
 | half and quarter domains against the whole | `tests/unit/remap_symmetry_plane.cc` | below 1e-11 |
-| totals at any scale; 1 um to 30 m chains | `tests/unit/ledger_exact_sum.cc`, `tests/verification/scene_scale.cc` | |
+| totals at any scale; 1 um to 30 m chains | `tests/unit/state_exact_sum.cc`, `tests/verification/scene_scale.cc` | |
 | contact, spreading, freeing of elements | `tests/unit/projection_spread.cc`, `tests/verification/scene_contact.cc` | |
 | same bits on 1, 2, 3 ranks | `tests/cli/ranks.sh`, `tests/mpi/` | |
 """

@@ -167,6 +167,7 @@ set(WHIPPLE_FLAT
     source/scene/units.cc
     source/state/bookings.cc
     source/state/corner_velocity.cc
+    source/state/exact_sum.cc
     source/state/packet_layout.cc
     source/state/velocity_gather.cc
 )
@@ -197,7 +198,6 @@ set(WHIPPLE_DEALII
     source/initial/initial_state.cc
     source/initial/painted_bodies.cc
     source/initial/painting.cc
-    source/ledger/exact_sum.cc
     source/ledger/ledger.cc
     source/ledger/totals.cc
     source/mesh/forest.cc
@@ -309,8 +309,8 @@ set(WHIPPLE_MEASURES
     source/diagnostics/debris_spectrum_results.cc
     source/diagnostics/fragment_results.cc
     source/diagnostics/gauges.cc
-    source/diagnostics/history.cc
     source/diagnostics/gauges_section.cc
+    source/diagnostics/history.cc
     source/diagnostics/phase_results.cc
     source/diagnostics/plate_load_results.cc
     source/diagnostics/plate_results.cc

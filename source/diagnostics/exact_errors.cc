@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/exact_errors.h>
 #include <whipple/initial/exact_means.h>
-#include <whipple/ledger/exact_sum.h>
 #include <whipple/mesh/cell_corners.h>
 #include <whipple/mesh/collective.h>
+#include <whipple/state/exact_sum.h>
 
 #include <array>
 #include <cmath>

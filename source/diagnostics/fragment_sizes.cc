@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/diagnostics/fragment_sizes.h>
 #include <whipple/effect/effect.h>
-#include <whipple/ledger/exact_sum.h>
+#include <whipple/state/exact_sum.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/projection/laid_transfer.h>
 #include <whipple/projection/spread_excess.h>
+#include <whipple/state/exact_sum.h>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,7 @@ namespace whipple::projection
         report.moved.number = found[0];
         report.moved.size   = found[1];
         report.depth        = depth();
-        double pores        = 0;
+        ExactSum pores;
         for (; found[0] > 0; found = weigh())
           {
             if (++report.rounds > most_rounds)
@@ -78,14 +79,15 @@ namespace whipple::projection
               if (excess_[c] > 0)
                 {
                   const double pressed = press_out_pores(laid_.material, c);
-                  pores += c < mesh_.n_owned ? pressed : 0.;
+                  if (c < mesh_.n_owned)
+                    pores.add(pressed);
                 }
             find_ways(found);
             hand_over();
             transfer_.exchange();
           }
-        MPI_Allreduce(MPI_IN_PLACE, &pores, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-        report.pores_squeezed = pores;
+        ExactSum::reduce({&pores, 1}, communicator_);
+        report.pores_squeezed = pores.value();
         return report;
       }
 
@@ -94,7 +96,8 @@ namespace whipple::projection
       std::array<double, 2>
       weigh()
       {
-        std::array<double, 2> sums{};
+        double   overfull = 0;
+        ExactSum excess;
         for (Index c = 0; c < mesh_.n_cells; ++c)
           {
             const double volume = state_.volume[c], over = held_[c] + solid_volume(laid_.material, c) - volume;
@@ -103,12 +106,13 @@ namespace whipple::projection
             room_[c]   = over < 0 && (closed_.empty() || !closed_[c]) ? -over : 0.;
             if (c < mesh_.n_owned && excess_[c] > 0)
               {
-                sums[0] += 1;
-                sums[1] += excess_[c];
+                overfull += 1;
+                excess.add(excess_[c]);
               }
           }
-        MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_DOUBLE, MPI_SUM, communicator_);
-        return sums;
+        MPI_Allreduce(MPI_IN_PLACE, &overfull, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+        ExactSum::reduce({&excess, 1}, communicator_);
+        return {overfull, excess.value()};
       }
 
       double

@@ -3,6 +3,7 @@
 
 #include <whipple/error.h>
 #include <whipple/projection/deposit.h>
+#include <whipple/state/exact_sum.h>
 #include <whipple/state/velocity_gather.h>
 
 #include <array>
@@ -64,23 +65,25 @@ namespace whipple
                             {.event = gather_slivers(communicator, mesh, halo, state, limits.sliver, deposit.laid())});
 
     const CornerVelocities<2> corners = deposit.finish();
-    std::array<double, 4>     sums{found, 0., 0., 0.};
+    std::array<double, 3>     sums{found, 0., 0.};
+    ExactSum                  pressed;
     for (Index cell = 0; cell < mesh.n_cells; ++cell)
       {
         const Squeeze squeeze = squeeze_overfull<2>(state, cell);
         if (cell < mesh.n_owned)
           {
-            sums[1] += squeeze.pores;
-            sums[2] += squeeze.solid;
-            sums[3] += squeeze.pores > pressed_noticed * state.volume[cell];
+            pressed.add(squeeze.pores);
+            sums[1] += squeeze.solid;
+            sums[2] += squeeze.pores > pressed_noticed * state.volume[cell];
           }
       }
     result.bookings.enter(laid_down::projection,
                           sum_over_ranks(gather_velocities<2>(mesh, boundaries, corners, loss, state), communicator));
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), 4, MPI_DOUBLE, MPI_SUM, communicator);
-    result.pores_squeezed   = sums[1] + spread.pores_squeezed;
-    result.solid_compressed = sums[2];
-    result.bookings.note(laid_down::pressed, sums[3] + (spread.pores_squeezed > 0 ? spread.moved.number : 0.),
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), 3, MPI_DOUBLE, MPI_SUM, communicator);
+    ExactSum::reduce({&pressed, 1}, communicator);
+    result.pores_squeezed   = pressed.value() + spread.pores_squeezed;
+    result.solid_compressed = sums[1];
+    result.bookings.note(laid_down::pressed, sums[2] + (spread.pores_squeezed > 0 ? spread.moved.number : 0.),
                          result.pores_squeezed, "cm^3");
     check_covered(result.elements.mass, left.mass, sums[0]);
     return result;

@@ -66,7 +66,7 @@ namespace whipple
               }
           if (c < n_owned)
             {
-              report.compressed += sum - state.volume[c];
+              report.compressed.add(sum - state.volume[c]);
               report.cells_compressed += sum > state.volume[c] * (1. + overfull_noticed);
             }
         }

@@ -11,6 +11,18 @@ namespace whipple
   } // namespace
 
   template <int dim>
+  void
+  RemapSums<dim>::collect(MPI_Comm communicator)
+  {
+    std::array<ExactSum, 2> sums{remnant_mass, compressed};
+    ExactSum::reduce(sums, communicator);
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    remnant_mass = rank == 0 ? sums[0] : ExactSum{};
+    compressed   = rank == 0 ? sums[1] : ExactSum{};
+  }
+
+  template <int dim>
   Bookings<dim>
   RemapSums<dim>::bookings(KineticLoss loss) const
   {
@@ -27,9 +39,9 @@ namespace whipple
     result.leave("sides of the domain", left);
     result.enter(remap, lost_kinetic_energy<dim>(kinetic_lost, loss));
     result.enter("overfull cells compressed",
-                 {.event = Event{static_cast<double>(cells_compressed), compressed, "cm^3"}});
+                 {.event = Event{static_cast<double>(cells_compressed), compressed.value(), "cm^3"}});
     result.enter("remnants given away by cells left almost empty",
-                 {.event = Event{static_cast<double>(remnant_cells), remnant_mass, "g"}});
+                 {.event = Event{static_cast<double>(remnant_cells), remnant_mass.value(), "g"}});
     return result;
   }
 

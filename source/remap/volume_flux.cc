@@ -243,7 +243,7 @@ namespace whipple
           emptied[m].push_back(c);
           if (c < mesh_->n_owned && left > 0)
             {
-              report.remnant_mass += left * state.material[m].density[c];
+              report.remnant_mass.add(left * state.material[m].density[c]);
               ++report.remnant_cells;
             }
         }

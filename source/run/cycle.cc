@@ -198,6 +198,7 @@ namespace whipple
             exchange(state);
           }
         agree(communicator, [&] { remap_->finish(state); });
+        remap.collect(communicator);
       }
     if (remap_ || effects_.pass.empty())
       lagrange_.evaluate_pressure(state, derived);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <whipple/ledger/exact_sum.h>
+#include <whipple/state/exact_sum.h>
 
 #include <cmath>
 #include <random>

@@ -230,7 +230,7 @@ TEST_P(RemapConservation, RandomStates)
           for (int m = 0; m < n_materials; ++m)
             {
               const auto &a = old.material[m], &b = state.material[m];
-              if (report.compressed == 0)
+              if (report.compressed.value() == 0)
                 expect_values_in_range(mesh, axis, a.volume, a.density, b.volume, b.density);
               expect_values_in_range(mesh, axis, a.volume, a.void_fraction, b.volume, b.void_fraction);
               for (int i = 0; i < 2; ++i)

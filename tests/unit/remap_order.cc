@@ -154,7 +154,7 @@ TEST(RemapUniform, StaysUniformToTheLastBit)
                 ASSERT_EQ(m.void_fraction[c], 0.3);
                 ASSERT_EQ(m.fields[0].value[c], 0.7);
                 ASSERT_EQ(m.fields[1].value[c], -0.013);
-                if (report.compressed == 0)
+                if (report.compressed.value() == 0)
                   {
                     ASSERT_EQ(m.density[c], 2.7);
                   }

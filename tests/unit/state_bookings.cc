@@ -65,11 +65,11 @@ namespace
   TEST(Bookings, OfARemapAreTheSumOverTheSidesAndWhatWasLost)
   {
     RemapSums<2> sums;
-    sums.side[0]               = {1., {{2., 3.}}, 4., 5.};
-    sums.side[3]               = {-0.25, {{0., 1.}}, 1., 2.};
-    sums.kinetic_lost          = 0.5;
-    sums.cells_compressed      = 2;
-    sums.compressed            = 1e-9;
+    sums.side[0]          = {1., {{2., 3.}}, 4., 5.};
+    sums.side[3]          = {-0.25, {{0., 1.}}, 1., 2.};
+    sums.kinetic_lost     = 0.5;
+    sums.cells_compressed = 2;
+    sums.compressed.add(1e-9);
     const Bookings<2> bookings = sums.bookings(KineticLoss::drop);
     const auto        left     = bookings.of("sides of the domain").left.value();
     EXPECT_EQ(left.mass, 0.75);
@@ -79,5 +79,6 @@ namespace
     EXPECT_EQ(*bookings.of("remap").converted, 0.5);
     EXPECT_EQ(bookings.of("remap").dropped->kinetic_energy, 0.5);
     EXPECT_EQ(bookings.of("overfull cells compressed").event->number, 2.);
+    EXPECT_EQ(bookings.of("overfull cells compressed").event->size, 1e-9);
   }
 } // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <whipple/ledger/exact_sum.h>
 #include <whipple/scene/scene.h>
 #include <whipple/state/conserved_totals.h>
+#include <whipple/state/exact_sum.h>
 
 #include <mpi.h>
 

@@ -3,6 +3,7 @@
 
 #include <whipple/mesh/index.h>
 #include <whipple/state/bookings.h>
+#include <whipple/state/exact_sum.h>
 
 #include <array>
 
@@ -27,9 +28,9 @@ namespace whipple
     std::array<SideFlux<dim>, 2 * dim> side{};             ///< 2 * axis + {0 lower, 1 upper}
     double                             kinetic_lost   = 0; ///< by mixing momentum, Mbar cm^3
     double                             kinetic_heated = 0; ///< part of kinetic_lost given to internal energy, Mbar cm^3
-    double                             remnant_mass   = 0; ///< given away by donors left almost empty, g
-    Index                              remnant_cells  = 0;
-    double                             compressed     = 0;   ///< volume by which overfull cells were cut back, cm^3
+    ExactSum                           remnant_mass;       ///< given away by donors left almost empty, g
+    Index                              remnant_cells = 0;
+    ExactSum                           compressed;           ///< volume by which overfull cells were cut back, cm^3
     Index                              cells_compressed = 0; ///< by more than a millionth of the cell
 
     RemapSums &
@@ -45,12 +46,17 @@ namespace whipple
         }
       kinetic_lost += other.kinetic_lost;
       kinetic_heated += other.kinetic_heated;
-      remnant_mass += other.remnant_mass;
+      remnant_mass.add(other.remnant_mass);
       remnant_cells += other.remnant_cells;
-      compressed += other.compressed;
+      compressed.add(other.compressed);
       cells_compressed += other.cells_compressed;
       return *this;
     }
+
+    /// Bring the exact sums of all ranks to the first, the others keep none: adding up the ranks' bookings gives the
+    /// same bits on any number of them then. Collective.
+    void
+    collect(MPI_Comm communicator);
 
     Bookings<dim>
     bookings(KineticLoss loss) const;

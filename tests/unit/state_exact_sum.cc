@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include <whipple/ledger/exact_sum.h>
+#include <whipple/state/exact_sum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,25 @@ namespace whipple
     {
       std::reverse(terms.begin(), terms.end());
       return sum_of(terms);
+    }
+
+    TEST(ExactSum, ASumOfSumsIsTheSumOfAllTerms)
+    {
+      ExactSum one, other;
+      for (int i = 0; i < 3000; ++i)
+        {
+          one.add(0x1p-60);
+          other.add(i % 2 ? -0x1p70 : 1e-7);
+        }
+      ExactSum all = one;
+      all.add(other);
+      std::vector<double> terms(3000, 0x1p-60);
+      for (int i = 0; i < 3000; ++i)
+        terms.push_back(i % 2 ? -0x1p70 : 1e-7);
+      EXPECT_EQ(all.value(), sum_of(terms));
+      one.add(std::numeric_limits<double>::quiet_NaN());
+      all.add(one);
+      EXPECT_TRUE(std::isnan(all.value()));
     }
 
     constexpr double largest = std::numeric_limits<double>::max(), smallest = 5e-324;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <whipple/ledger/exact_sum.h>
+#include <whipple/state/exact_sum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,18 @@ namespace whipple
       }
     chunk_[n_chunks - 1] += carried;
     waiting_ = 0;
+  }
+
+  void
+  ExactSum::add(const ExactSum &other)
+  {
+    ExactSum carried = other;
+    carried.carry();
+    carry(); // both below 2^32 in each chunk now
+    for (int i = 0; i < n_chunks; ++i)
+      chunk_[i] += carried.chunk_[i];
+    not_finite_ += carried.not_finite_;
+    carry();
   }
 
   double

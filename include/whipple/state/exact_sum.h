@@ -43,6 +43,10 @@ namespace whipple
         carry();
     }
 
+    /// Add all terms of another sum.
+    void
+    add(const ExactSum &other);
+
     /// The sum, rounded once to the nearest double (to even if there are two); infinite beyond the largest.
     double
     value() const;
