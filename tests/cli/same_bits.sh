@@ -10,7 +10,7 @@ differs() { # differs WHAT: one/sod and two/sod, by that and nothing else
   [ "$(wc -l <found.txt)" -eq 2 ] || { cat found.txt; exit 1; }
 }
 
-rm -rf one two
+rm -rf one two whole
 for directory in one two; do
   "$program" run "$source/prm/verification/sod.prm" --set 'Output/Fields interval = 0.1 us' --output "$directory/sod" >out.txt
 done
