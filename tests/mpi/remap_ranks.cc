@@ -28,28 +28,6 @@ namespace
                                       whipple::DirectionalRemap<2>::halo_layers, whipple::Cohesion::bonded);
   }
 
-  /// Visit what a sweep reads and writes: cell arrays, node arrays.
-  template <class Cell, class Node>
-  void
-  visit(State<2> &a, State<2> &b, const Cell &cell, const Node &node)
-  {
-    cell(a.volume, b.volume);
-    for (std::size_t m = 0; m < a.material.size(); ++m)
-      {
-        auto &p = a.material[m], &q = b.material[m];
-        cell(p.volume, q.volume);
-        cell(p.mass, q.mass);
-        cell(p.density, q.density);
-        cell(p.energy, q.energy);
-      }
-    node(a.node_mass, b.node_mass);
-    for (int d = 0; d < 2; ++d)
-      {
-        node(a.velocity[d], b.velocity[d]);
-        node(a.position[d], b.position[d]);
-      }
-  }
-
   /// Values of owned cells and their nodes that differ from the whole domain's after a sweep, on all ranks.
   int
   values_that_differ(const Mesh &whole, const Lattice &lattice, const whipple::Boundaries<2> &sides, State<2> state,

@@ -168,6 +168,30 @@ namespace remap_case
     return report;
   }
 
+  /// Visit all pairs of arrays of two states that a sweep reads or writes: cell arrays, node arrays.
+  template <class Cell, class Node>
+  void
+  visit(State<2> &a, State<2> &b, const Cell &cell, const Node &node)
+  {
+    cell(a.volume, b.volume);
+    for (std::size_t m = 0; m < a.material.size(); ++m)
+      {
+        auto &p = a.material[m], &q = b.material[m];
+        cell(p.volume, q.volume);
+        cell(p.mass, q.mass);
+        cell(p.density, q.density);
+        cell(p.energy, q.energy);
+        cell(p.void_fraction, q.void_fraction);
+        for (int i = 0; i < 2; ++i)
+          cell(p.fields[i].value, q.fields[i].value);
+      }
+    node(a.node_mass, b.node_mass);
+    for (int d = 0; d < 2; ++d)
+      {
+        node(a.velocity[d], b.velocity[d]);
+        node(a.position[d], b.position[d]);
+      }
+  }
   inline whipple::Boundaries<2>
   boundaries(const whipple::BoundaryKind kind)
   {

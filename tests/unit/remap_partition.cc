@@ -67,31 +67,6 @@ namespace
       }
     return whipple::build_flat_mesh<2>(lattice, keys, n_owned, layers, width, whipple::Cohesion::bonded);
   }
-
-  /// Visit all pairs of arrays of two states: cell arrays, node arrays.
-  template <class Cell, class Node>
-  void
-  visit(State<2> &a, State<2> &b, const Cell &cell, const Node &node)
-  {
-    cell(a.volume, b.volume);
-    for (std::size_t m = 0; m < a.material.size(); ++m)
-      {
-        auto &p = a.material[m], &q = b.material[m];
-        cell(p.volume, q.volume);
-        cell(p.mass, q.mass);
-        cell(p.density, q.density);
-        cell(p.energy, q.energy);
-        cell(p.void_fraction, q.void_fraction);
-        for (int i = 0; i < 2; ++i)
-          cell(p.fields[i].value, q.fields[i].value);
-      }
-    node(a.node_mass, b.node_mass);
-    for (int d = 0; d < 2; ++d)
-      {
-        node(a.velocity[d], b.velocity[d]);
-        node(a.position[d], b.position[d]);
-      }
-  }
 } // namespace
 
 TEST(RemapPartition, SameBitsOnEveryPart)
