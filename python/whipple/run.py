@@ -10,6 +10,11 @@ from .files import read_json, read_parameters, read_table
 from .snapshot import by_stage, nearest, read_snapshots
 
 
+def results_by_place(tables):
+    """Tables of results that say what they hold when they are asked for something else."""
+    return Named({place: Named(table, f"result of {place}") for place, table in tables.items()}, "place")
+
+
 class Run:
     """A run in DIRECTORY, complete or not; files are read when they are asked for.
 
@@ -80,7 +85,7 @@ class Run:
     @cached_property
     def results(self):
         """Place (plate, gap, wall) -> key -> number, true or false, list, or None (doc/results.md). Errors: NotWritten."""
-        return Named({place: Named(table, f"result of {place}") for place, table in self.summary["results"].items()}, "place")
+        return results_by_place(self.summary["results"])
 
     @property
     def error_bars(self):
@@ -118,6 +123,13 @@ class Run:
             raise NotWritten(f"{self.directory}: has no fields: set Output/Fields interval in the scene")
         return self.snapshots_or_none
 
+    def snapshots_of(self, stage=None):
+        """Written times of one stage, or all. Errors: Unknown, NotWritten."""
+        chosen = [s for s in self.snapshots if stage in (None, s.stage)]
+        if not chosen:
+            raise Unknown(f"there is no stage '{stage}'; there is: {', '.join(name for name, _ in self.stages())}")
+        return chosen
+
     @property
     def times(self):
         """Of all written fields, us; a hand-over is there twice."""
@@ -134,9 +146,7 @@ class Run:
     def elements(self, time=None, stage=None):
         """The elements at the written time nearest to TIME (us), of one stage if it is given; without a time at the end.
         Errors: Unknown, NotWritten."""
-        chosen = [s for s in self.snapshots if stage in (None, s.stage)]
-        if not chosen:
-            raise Unknown(f"there is no stage '{stage}'; there is: {', '.join(name for name, _ in self.stages())}")
+        chosen = self.snapshots_of(stage)
         return chosen[-1] if time is None else nearest(chosen, time)
 
     def field(self, name, time=None, stage=None, unit=None):

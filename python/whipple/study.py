@@ -7,7 +7,7 @@ import numpy as np
 
 from .errors import Named, NotARun, NotWritten
 from .files import read_json
-from .run import Run
+from .run import Run, results_by_place
 
 
 class Point:
@@ -42,7 +42,7 @@ class Point:
     @property
     def results(self):
         """Place -> key -> value, numbers only."""
-        return Named({place: Named(table, f"result of {place}") for place, table in self.entry["results"].items()}, "place")
+        return results_by_place(self.entry["results"])
 
     @cached_property
     def run(self):

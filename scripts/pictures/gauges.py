@@ -21,11 +21,15 @@ def moves(values):
     return len(set(values[np.isfinite(values)])) > 1
 
 
+def seen(table):
+    """{label: values} of everything a gauge has seen; its position only if it moves."""
+    return {title.replace(" [", "\n["): table[column] for column, title in table.headers.items()
+            if column != "time" and (moves(table[column]) or not column.startswith("position"))}
+
+
 def gauge(name, table, path):
-    """Everything a gauge has seen against time; its position only if it moves."""
-    columns = {title.replace(" [", "\n["): table[column] for column, title in table.headers.items()
-               if column != "time" and (moves(table[column]) or not column.startswith("position"))}
-    curves(f"gauge {name}", table["time"], columns, path)
+    """Everything a gauge has seen against time."""
+    curves(f"gauge {name}", table["time"], seen(table), path)
 
 
 def pictures(run):

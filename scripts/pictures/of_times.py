@@ -56,10 +56,7 @@ def chosen(run, every=1, stage=None, time=None):
     """Written times that are asked for. Errors: whipple.Unknown, whipple.NotWritten."""
     if time is not None:
         return [run.elements(time, stage)]
-    of_stage = [snapshot for snapshot in run.snapshots if stage in (None, snapshot.stage)]
-    if not of_stage:
-        raise Unknown(f"there is no stage '{stage}'; there is: {', '.join(name for name, _ in run.stages())}")
-    return of_stage[::every]
+    return run.snapshots_of(stage)[::every]
 
 
 def radiographs(run, snapshots, window, kind):

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from pictures import history
-from pictures.gauges import moves
+from pictures.gauges import seen
 
 from .page import drawn, escape
 
@@ -56,30 +56,28 @@ def statistics(run):
     return drawn(figure, "statistics.csv: energies, momentum, mass, time step and cells against time")
 
 
+def against_time(title, words, time, columns, **how):
+    """A figure of {label: values} with its title."""
+    figure, axes = grid(len(columns), 1.9)
+    for one, (label, values) in zip(axes, columns.items()):
+        one.plot(time, values, **how)
+        one.set_ylabel(label, fontsize=8)
+        one.set_xlabel("time, us", fontsize=8)
+    return f"<h3>{escape(title)}</h3>\n" + drawn(figure, words)
+
+
 def results(run):
     """history.csv, a figure a place; nothing without the file."""
-    text = ""
-    for place, columns in history.tables(run).items():
-        figure, axes = grid(len(columns), 1.9)
-        for one, (label, values) in zip(axes, columns.items()):
-            one.plot(run.history["time_us"], values, linewidth=1.2, marker="." if len(values) < 40 else None)
-            one.set_ylabel(label, fontsize=8)
-            one.set_xlabel("time, us", fontsize=8)
-        text += f"<h3>{escape(place)}</h3>\n" + drawn(figure, f"{place}: results against time")
-    return text
+    return "".join(against_time(place, f"{place}: results against time", run.history["time_us"], columns, linewidth=1.2,
+                                marker="." if run.history.rows < 40 else None)
+                   for place, columns in history.tables(run).items())
 
 
 def gauges(run):
     text = ""
     for name, table in run.gauges.items():
-        columns = [c for c in table if c != "time" and (moves(table[c]) or not c.startswith("position"))]
-        rows = thinned(table)
-        if not columns or not len(rows):
-            continue
-        figure, axes = grid(len(columns), 1.9)
-        for one, column in zip(axes, columns):
-            one.plot(table["time"][rows], table[column][rows], linewidth=1.1)
-            one.set_ylabel(table.headers[column].replace(" [", "\n["), fontsize=8)
-            one.set_xlabel("time, us", fontsize=8)
-        text += f"<h3>gauge {escape(name)}</h3>\n" + drawn(figure, f"gauge {name}: what it has seen against time")
+        rows, columns = thinned(table), seen(table)
+        if columns and len(rows):
+            text += against_time(f"gauge {name}", f"gauge {name}: what it has seen against time", table["time"][rows],
+                                 {label: values[rows] for label, values in columns.items()}, linewidth=1.1)
     return text
