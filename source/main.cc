@@ -86,8 +86,7 @@ namespace
     const bool can_go_on = std::filesystem::exists(options.output_directory + "/checkpoints") &&
                            !std::filesystem::is_empty(options.output_directory + "/checkpoints");
     std::cerr << "whipple: a rank was ended by signal " << status - killed << " (" << strsignal(status - killed)
-              << "), and "
-              << "with it the run; "
+              << "), and with it the run; "
               << (can_go_on ? "go on from its last checkpoint with: whipple run --resume " : "no checkpoint yet in ")
               << options.output_directory << std::endl;
   }

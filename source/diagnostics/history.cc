@@ -78,10 +78,9 @@ namespace whipple
         std::vector<double> row{time, static_cast<double>(view.stage + 1)};
         for (const auto &[place, quantity] : columns_)
           {
-            const auto table = results.find(place);
-            const auto found = table == results.end() ? ResultTable::const_iterator{} : table->second.find(quantity);
-            const bool known = table != results.end() && found != table->second.end();
-            row.push_back(known ? as_number(found->second).value_or(no_value) : no_value);
+            const ResultTable &table = results[place]; // empty where the stage does not measure it
+            const auto         found = table.find(quantity);
+            row.push_back(found == table.end() ? no_value : as_number(found->second).value_or(no_value));
           }
         write(0, row);
       }

@@ -4,8 +4,8 @@
 #include <whipple/diagnostics/plate_measure.h>
 #include <whipple/effect/scene_outlook.h>
 
-#include <algorithm>
 #include <optional>
+#include <set>
 #include <variant>
 
 namespace whipple
@@ -98,18 +98,15 @@ namespace whipple
       lines(const Scene<dim> &scene, std::size_t stage,
             const std::map<std::string, ResultTable> &results) const override
       {
+        std::set<std::size_t> again; // told of later
+        for (std::size_t later = stage + 1; later < scene.stages.size(); ++later)
+          for (const std::size_t plate : measured_plates(scene, later))
+            again.insert(plate);
         std::vector<std::string> told;
         for (const std::size_t plate : measured_plates(scene, stage))
-          {
-            bool again = false;
-            for (std::size_t later = stage + 1; later < scene.stages.size() && !again; ++later)
-              {
-                const auto plates = measured_plates(scene, later);
-                again             = std::find(plates.begin(), plates.end(), plate) != plates.end();
-              }
-            if (const auto found = results.find(scene.bodies[plate].name); !again && found != results.end())
-              told.push_back(in_words(found->first, found->second));
-          }
+          if (const auto found = results.find(scene.bodies[plate].name);
+              !again.contains(plate) && found != results.end())
+            told.push_back(in_words(found->first, found->second));
         return told;
       }
 

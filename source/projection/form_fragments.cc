@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace whipple::projection
@@ -56,7 +57,7 @@ namespace whipple::projection
       settle(const std::vector<Element<2>> &elements)
       {
         add_up(elements);
-        const bool ring = is_ring();
+        const bool ring = view_.lattice.symmetry == Symmetry::axisymmetric && !on_axis_;
         double     area = 0, volume = 0, least = parcels_[group_[0]].lower[0];
         Vector<2>  centroid{}; // of the area
         for (const Index i : group_)
@@ -77,15 +78,12 @@ namespace whipple::projection
           }
         else
           {
-            const auto scale_at = [&](double r) {
-              return std::sqrt(solid_ / (circumference(view_.lattice.symmetry, r) * area));
-            };
-            scale_ = scale_at(to_[0]);
-            if (rings_ == Rings::thinned && ring && from_[0] < to_[0])
-              {
-                scale_         = scale_at(from_[0]);
-                void_fraction_ = 1. - from_[0] / to_[0];
-              }
+            if (ring && rings_ == Rings::thinned)
+              solid_within_ = from_[0];
+            const double r = std::min(to_[0], solid_within_);
+            scale_         = std::sqrt(solid_ / (circumference(view_.lattice.symmetry, r) * area));
+            if (r < to_[0])
+              void_fraction_ = 1. - r / to_[0];
           }
         if (ring && to_[0] + scale_ * (least - from_[0]) < 0)
           return false;
@@ -112,9 +110,8 @@ namespace whipple::projection
         for (const Index i : group_)
           {
             write_part(volume_of(i) / volume, parcels_[i], lost, elements[element_of_[i]]);
-            elements[element_of_[i]].piece = report.pieces;
-            if (rings_ == Rings::thinned && is_ring())
-              elements[element_of_[i]].solid_within = from_[0];
+            elements[element_of_[i]].piece        = report.pieces;
+            elements[element_of_[i]].solid_within = solid_within_;
           }
         report.kinetic_loss += lost;
         if (on_axis_)
@@ -124,12 +121,6 @@ namespace whipple::projection
       }
 
     private:
-      bool
-      is_ring() const
-      {
-        return view_.lattice.symmetry == Symmetry::axisymmetric && !on_axis_;
-      }
-
       void
       add_up(const std::vector<Element<2>> &elements)
       {
@@ -226,6 +217,7 @@ namespace whipple::projection
       Vector<2>  from_{}, to_{};     ///< what it is shrunk about: where its cells were, and where it is
       double     scale_         = 1; ///< c
       double     void_fraction_ = 0; ///< between the fragments of a thinned ring
+      double     solid_within_  = std::numeric_limits<double>::infinity(); ///< Element::solid_within
     };
 
     /// Whether fragments of the size that an element breaks into are large enough to be shown.

@@ -2,7 +2,6 @@
 #include <whipple/projection/representation.h>
 
 #include <algorithm>
-
 #include <stdexcept>
 
 namespace whipple

@@ -52,42 +52,6 @@ namespace whipple
             std::swap((*v)[d][lower], (*v)[d][lower + 1]);
     }
 
-    CornerVectors<2>
-    first_velocities(const CellPacketLayout<2> &layout, const Waiting<2> &part)
-    {
-      CornerVectors<2> u;
-      for (int d = 0; d < 2; ++d)
-        for (int k = 0; k < 4; ++k)
-          u[d][k] = part.element.packet[layout.velocity(d, k)];
-      return u;
-    }
-
-    /// Corners and their velocities.
-    std::pair<CornerVectors<2>, CornerVectors<2>>
-    motion_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
-    {
-      const double     dt = time - part.since;
-      CornerVectors<2> x = part.element.position, u = first_velocities(layout, part);
-      if (part.element.piece < 0)
-        {
-          for (int d = 0; d < 2; ++d)
-            for (int k = 0; k < 4; ++k)
-              x[d][k] += dt * u[d][k];
-          if (symmetry == Symmetry::axisymmetric && CellShape<2>::middle(x)[0] < 0)
-            mirror(x, u);
-          return {x, u};
-        }
-      const Flight    flight = flight_of(symmetry, layout, part, dt);
-      const Vector<2> way{{flight.way, dt * u[1][0]}};
-      for (int d = 0; d < 2; ++d)
-        for (int k = 0; k < 4; ++k)
-          x[d][k] = (part.centre[d] + flight.scale * (x[d][k] - part.centre[d])) + way[d];
-      if (flight.back)
-        for (double &radial : u[0])
-          radial = -radial;
-      return {x, u};
-    }
-
     double
     volume_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
     {
@@ -184,10 +148,32 @@ namespace whipple
     return waiting;
   }
 
-  CornerVectors<2>
-  corner_velocities_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
+  std::pair<CornerVectors<2>, CornerVectors<2>>
+  motion_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time)
   {
-    return motion_at(symmetry, layout, part, time).second;
+    const double     dt = time - part.since;
+    CornerVectors<2> x  = part.element.position, u;
+    for (int d = 0; d < 2; ++d)
+      for (int k = 0; k < 4; ++k)
+        u[d][k] = part.element.packet[layout.velocity(d, k)];
+    if (part.element.piece < 0)
+      {
+        for (int d = 0; d < 2; ++d)
+          for (int k = 0; k < 4; ++k)
+            x[d][k] += dt * u[d][k];
+        if (symmetry == Symmetry::axisymmetric && CellShape<2>::middle(x)[0] < 0)
+          mirror(x, u);
+        return {x, u};
+      }
+    const Flight    flight = flight_of(symmetry, layout, part, dt);
+    const Vector<2> way{{flight.way, dt * u[1][0]}};
+    for (int d = 0; d < 2; ++d)
+      for (int k = 0; k < 4; ++k)
+        x[d][k] = (part.centre[d] + flight.scale * (x[d][k] - part.centre[d])) + way[d];
+    if (flight.back)
+      for (double &radial : u[0])
+        radial = -radial;
+    return {x, u};
   }
 
   CornerVectors<2>

@@ -196,8 +196,8 @@ namespace whipple
         for (std::size_t i = 0; i < ahead_.size(); ++i)
           {
             const Waiting<2> &part = waiting.parts[i];
-            box_.push_back(box_of(at(part, time), at(part, time + ahead_[i]),
-                                  corner_velocities_at(scene.lattice.symmetry, layout, part, time), ahead_[i]));
+            const auto [x, u]      = motion_at(scene.lattice.symmetry, layout, part, time);
+            box_.push_back(box_of(x, corners_at(scene.lattice.symmetry, layout, part, time + ahead_[i]), u, ahead_[i]));
             swept_.push_back(box_.back().swept(ahead_[i], 0.));
           }
       }
@@ -287,11 +287,6 @@ namespace whipple
     private:
       static constexpr double round_off = 1e-6;
 
-      CornerVectors<2>
-      at(const Waiting<2> &part, double time) const
-      {
-        return corners_at(scene_.lattice.symmetry, layout_, part, time);
-      }
       long
       piece(std::size_t i) const
       {
@@ -309,9 +304,8 @@ namespace whipple
       {
         if (part.element.piece >= 0)
           return true;
-        const CornerVectors<2> x = at(part, time_),
-                               u = corner_velocities_at(scene_.lattice.symmetry, layout_, part, time_);
-        const double least       = least_volume(scene_.lattice.symmetry, x, u, ahead);
+        const auto [x, u]  = motion_at(scene_.lattice.symmetry, layout_, part, time_);
+        const double least = least_volume(scene_.lattice.symmetry, x, u, ahead);
         if (!(least > 0) || !keeps_shape(x, u, ahead))
           return false;
         const double growth = least / cell_volume<2>(scene_.lattice.symmetry, part.element.position);
@@ -369,10 +363,9 @@ namespace whipple
     std::vector<std::uint8_t> moves;
     for (const Waiting<2> &part : waiting.parts)
       {
-        const CornerVectors<2> x       = corners_at(scene.lattice.symmetry, layout, part, state.time);
-        const CornerVectors<2> u       = corner_velocities_at(scene.lattice.symmetry, layout, part, state.time);
-        const double           rear    = *std::min_element(x[flight_axis<2>].begin(), x[flight_axis<2>].end());
-        const double           slowest = *std::min_element(u[flight_axis<2>].begin(), u[flight_axis<2>].end());
+        const auto [x, u]    = motion_at(scene.lattice.symmetry, layout, part, state.time);
+        const double rear    = *std::min_element(x[flight_axis<2>].begin(), x[flight_axis<2>].end());
+        const double slowest = *std::min_element(u[flight_axis<2>].begin(), u[flight_axis<2>].end());
         moves.push_back(slowest > 0);
         time.push_back(slowest > 0 ? std::max(plane + cell - rear, cell) / slowest : cell / waiting.fastest);
       }

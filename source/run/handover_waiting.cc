@@ -46,7 +46,7 @@ namespace whipple
     waiting.totals = totals(layout, parts);
     for (const Waiting<dim> &part : parts)
       {
-        const CornerVectors<2> u = corner_velocities_at(scene_.lattice.symmetry, layout, part, part.since);
+        const CornerVectors<2> u = motion_at(scene_.lattice.symmetry, layout, part, part.since).second;
         for (int k = 0; k < Element<dim>::corners; ++k)
           waiting.fastest = std::max(waiting.fastest, std::sqrt(u[0][k] * u[0][k] + u[1][k] * u[1][k]));
       }

@@ -18,8 +18,10 @@ namespace whipple
       return;
     const auto layout = CellPacketLayout<dim>::of(run_.domain.state);
     for (const Waiting<dim> &part : run_.books.waiting->parts)
-      visit(part, corners_at(scene_.lattice.symmetry, layout, part, time()),
-            corner_velocities_at(scene_.lattice.symmetry, layout, part, time()));
+      {
+        const auto [x, u] = motion_at(scene_.lattice.symmetry, layout, part, time());
+        visit(part, x, u);
+      }
   }
 
   template <int dim>

@@ -264,10 +264,10 @@ namespace whipple
     StageProgress      &progress = run_.books.progress;
     news_.steps_undone(run_.books);
     progress.ceiling = retry_factor * tried_dt_;
-    progress.failed_until =
-        tried_until_; // not by the clock of the state: ranks may have failed before and after it moved
-    progress.retries = failed.retries;
-    progress.locked  = failed.locked;
+    // not by the clock of the state: ranks may have failed before and after it moved
+    progress.failed_until = tried_until_;
+    progress.retries      = failed.retries;
+    progress.locked       = failed.locked;
     if (new_view)
       use_mesh();
     else

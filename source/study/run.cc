@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/output/duration.h>
+#include <whipple/output/first_rank.h>
 #include <whipple/problem/effect_forecast.h>
 #include <whipple/problem/scene_warnings.h>
 #include <whipple/run/resume.h>
@@ -29,15 +30,14 @@ namespace whipple
     run_coarser(const std::vector<Problem<2>> &problems, const RunOptions &options, double wall_start,
                 MPI_Comm communicator)
     {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
+      const bool                speaks = is_first_rank(communicator);
       std::vector<LevelResults> levels;
       for (const Problem<2> &problem : problems)
         {
           const std::string cell = units::format(problem.scene.lattice.spacing, units::length);
           const std::string directory =
               options.output_directory + "/error_estimate/cell=" + cell.substr(0, cell.find(' ')) + "cm";
-          if (rank == 0)
+          if (speaks)
             std::cout << "error estimate: cells of " << cell << std::endl;
           const auto simulation = make(problem, options, directory, wall_start, communicator);
           try
@@ -51,7 +51,7 @@ namespace whipple
             }
           catch (const StateError &error)
             {
-              if (rank == 0)
+              if (speaks)
                 std::cout << "error estimate: cells of " << cell << " left out, stopped: " << error.what() << std::endl;
             }
         }
@@ -61,9 +61,7 @@ namespace whipple
     void
     print_warnings(const Problem<2> &problem, MPI_Comm communicator)
     {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      if (rank == 0)
+      if (is_first_rank(communicator))
         for (const std::string &line : scene_warnings(problem))
           std::cout << "warning: " << line << std::endl;
     }
@@ -72,9 +70,7 @@ namespace whipple
     void
     print_estimate(const Problem<2> &problem, MPI_Comm communicator)
     {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      if (rank != 0)
+      if (!is_first_rank(communicator))
         return;
       const CostEstimate estimate = estimate_cost(problem);
       const std::size_t  stages   = problem.scene.stages.size();
@@ -90,9 +86,7 @@ namespace whipple
     void
     print_effects(const Problem<2> &problem, MPI_Comm communicator)
     {
-      int rank = 0;
-      MPI_Comm_rank(communicator, &rank);
-      if (rank != 0)
+      if (!is_first_rank(communicator))
         return;
       constexpr std::size_t        most_bodies = 20; // of whose encounters a person reads the list
       const std::vector<Encounter> all =

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 /// Debris that is on its way and not on any mesh: equations in doc/theory/stages.md, "Streaming hand-over".
@@ -41,13 +42,14 @@ namespace whipple
   begin_to_wait(const CellPacketLayout<2> &layout, std::vector<Waiting<2>> waiting, std::vector<Element<2>> elements,
                 std::span<const int> stress, double time);
 
+  /// Where the corners of a part are, and their velocities: those it began to wait with, and outwards again once it has
+  /// come to the axis.
+  std::pair<CornerVectors<2>, CornerVectors<2>>
+  motion_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time);
+
   /// Where the corners of a part are.
   CornerVectors<2>
   corners_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time);
-
-  /// Velocities of the corners of a part: those it began to wait with, and outwards again once it has come to the axis.
-  CornerVectors<2>
-  corner_velocities_at(Symmetry symmetry, const CellPacketLayout<2> &layout, const Waiting<2> &part, double time);
 
   /// Parts as elements where they are. A piece's mass is spread over its parts by their volumes: give it whole.
   /// Mass, energies and momentum (along axis 0 but for what has come to the axis) are those of when they began to wait.
