@@ -163,8 +163,10 @@ set(WHIPPLE_FLAT
     source/scene/shape.cc
     source/scene/sphere_shape.cc
     source/scene/stage_end.cc
+    source/scene/touching_bodies.cc
     source/scene/triangulation.cc
     source/scene/units.cc
+    source/scene/variables.cc
     source/state/bookings.cc
     source/state/corner_velocity.cc
     source/state/exact_sum.cc
@@ -208,6 +210,7 @@ set(WHIPPLE_DEALII
     source/output/duration.cc
     source/output/field_output.cc
     source/output/json_value.cc
+    source/output/manifest.cc
     source/output/output_directory.cc
     source/output/process_use.cc
     source/output/run_log.cc

@@ -113,6 +113,10 @@ namespace whipple::sections
       {
         SceneSection section(parameters, path + "/" + name);
         declare_shape(section);
+        section.declare(
+            "Touching", "",
+            "a body that it touches at the start, coming along axis 1 (against it with such a velocity); its "
+            "place along axis 1 is set by that");
         section.declare("Initial state", "uniform",
                         "uniform | exact: density, energy and velocity of the scene's exact solution");
         section.declare("Velocity", "0 cm/us, 0 cm/us", "along axis 0 and axis 1");

@@ -8,6 +8,7 @@
 #include <whipple/scene/nearest_name.h>
 #include <whipple/scene/sections.h>
 #include <whipple/scene/study_section.h>
+#include <whipple/scene/variables.h>
 
 #include <algorithm>
 #include <cctype>
@@ -136,6 +137,7 @@ namespace whipple
   {
     std::vector<PrmStatement> statements = read_prm_statements(file);
     statements.insert(statements.end(), overrides.begin(), overrides.end());
+    substitute_variables(statements);
     drop_study(file, statements);
     expand_automatic_stages(statements);
 
@@ -151,6 +153,7 @@ namespace whipple
     const Vector<dim> upper = sections::read_geometry<dim>(parameters, scene);
     sections::read_mesh<dim>(parameters, upper, scene);
     sections::read_materials(parameters, problem);
+    sections::place_touching_bodies<dim>(parameters, scene);
     sections::read_bodies(parameters, problem);
     sections::check_bodies<dim>(parameters, scene);
     sections::read_side_media(parameters, problem);

@@ -133,13 +133,14 @@ namespace whipple
   namespace
   {
     const ShapeRegistration<2>
-        registration({.name          = "box",
-                      .summary       = "an axis-aligned box; axisymmetric: a cylinder or ring",
-                      .documentation = "",
-                      .parameters    = {{"Lower corner", "two lengths", "", "its least coordinates"},
-                                        {"Upper corner", "two lengths", "", "its largest coordinates"}},
-                      .position_key  = "Lower corner",
-                      .size_key      = "Upper corner"},
+        registration({.name              = "box",
+                      .summary           = "an axis-aligned box; axisymmetric: a cylinder or ring",
+                      .documentation     = "",
+                      .parameters        = {{"Lower corner", "two lengths", "", "its least coordinates"},
+                                            {"Upper corner", "two lengths", "", "its largest coordinates"}},
+                      .position_key      = "Lower corner",
+                      .size_key          = "Upper corner",
+                      .placed_by_one_key = false},
                      [](const ShapeInput<2> &input) -> Shape<2> {
                        const Box<2> box{input.point("Lower corner"), input.point("Upper corner")};
                        for (int d = 0; d < 2; ++d)

@@ -135,10 +135,11 @@ namespace whipple
              "only. In axisymmetry all corners have r >= 0. A file has two columns separated by a comma or blanks: "
              "first the units, `mm, mm`, then a corner a line; `#` begins a comment, and a relative name starts at the "
              "scene's folder. The parameters in force list what was read.",
-         .parameters   = {{"Corners", "points separated by `;`", "a file", "`0 cm, 0 cm; 1 cm, 0 cm; 0 cm, 1 cm`"},
-                          {"Corners file", "a file", "corners", "two columns with units"}},
-         .position_key = "Corners",
-         .size_key     = "Corners"},
+         .parameters        = {{"Corners", "points separated by `;`", "a file", "`0 cm, 0 cm; 1 cm, 0 cm; 0 cm, 1 cm`"},
+                               {"Corners file", "a file", "corners", "two columns with units"}},
+         .position_key      = "Corners",
+         .size_key          = "Corners",
+         .placed_by_one_key = false},
         make);
   } // namespace
 } // namespace whipple

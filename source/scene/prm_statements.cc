@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <set>
+#include <map>
 #include <system_error>
+#include <utility>
 
 namespace whipple
 {
@@ -112,6 +113,92 @@ namespace whipple
       line = squeeze(line);
       return any;
     }
+
+    /// Statements of a file and of those that it includes.
+    class Reader
+    {
+    public:
+      /// @param section the one in which an including file stands
+      void
+      read(std::istream &input, const std::string &file, const std::vector<std::string> &section)
+      {
+        open_files_.push_back(file);
+        std::vector<std::string> path = section;
+        std::string              line, rest;
+        for (int number = 0; next_line(input, file, number, line);)
+          {
+            const std::string origin = file + ":" + std::to_string(number);
+            if (line.empty())
+              continue;
+            if (after_word(line, "subsection", rest) && !rest.empty())
+              path.push_back(rest);
+            else if (line == "end")
+              {
+                if (path.size() == section.size())
+                  throw InputError(origin + ": 'end' without a subsection to close");
+                path.pop_back();
+              }
+            else if (after_word(line, "include", rest) && !rest.empty())
+              include(origin, rest, path);
+            else if (const auto equals = line.find('=');
+                     after_word(line.substr(0, equals), "set", rest) && equals != std::string::npos && !rest.empty())
+              set({origin, join(path), rest, squeeze(line.substr(equals + 1))});
+            else
+              throw InputError(origin + ": '" + line +
+                               "' is no statement; allowed are 'subsection NAME', 'set KEY = VALUE', 'end', "
+                               "'include FILE' and # comments");
+          }
+        if (path.size() != section.size())
+          throw InputError(file + ": subsection '" + join(path) + "' is not closed; add 'end'");
+        open_files_.pop_back();
+      }
+
+      std::vector<PrmStatement>
+      statements() &&
+      {
+        return std::move(statements_);
+      }
+
+    private:
+      void
+      include(const std::string &origin, const std::string &name, const std::vector<std::string> &path)
+      {
+        const std::string file = (std::filesystem::path(open_files_.back()).parent_path() / name).string();
+        for (const std::string &open : open_files_)
+          if (std::error_code error; std::filesystem::equivalent(open, file, error))
+            throw InputError(origin + ": include " + name + ": the file includes itself");
+        std::ifstream input;
+        try
+          {
+            input = open_text(file);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(origin + ": include " + name + ": " + error.what());
+          }
+        read(input, file, path);
+      }
+
+      /// A file may set again what a file that it includes has set.
+      void
+      set(PrmStatement statement)
+      {
+        const std::string name  = statement.name();
+        const std::size_t depth = open_files_.size();
+        if (const auto earlier = depth_.find(name); earlier != depth_.end())
+          {
+            if (earlier->second <= depth)
+              throw InputError(statement.origin, name, statement.value, "is set twice; allowed is once");
+            std::erase_if(statements_, [&name](const PrmStatement &other) { return other.name() == name; });
+          }
+        depth_[name] = depth;
+        statements_.push_back(std::move(statement));
+      }
+
+      std::vector<PrmStatement>          statements_;
+      std::map<std::string, std::size_t> depth_;      ///< of the file that has set a name
+      std::vector<std::string>           open_files_; ///< each included by the one before
+    };
   } // namespace
 
   std::vector<PrmStatement>
@@ -124,38 +211,9 @@ namespace whipple
   std::vector<PrmStatement>
   read_prm_statements(std::istream &input, const std::string &file)
   {
-    std::vector<PrmStatement> statements;
-    std::vector<std::string>  path;
-    std::set<std::string>     names;
-    std::string               line, rest;
-    for (int number = 0; next_line(input, file, number, line);)
-      {
-        const std::string origin = file + ":" + std::to_string(number);
-        if (line.empty())
-          continue;
-        if (after_word(line, "subsection", rest) && !rest.empty())
-          path.push_back(rest);
-        else if (line == "end")
-          {
-            if (path.empty())
-              throw InputError(origin + ": 'end' without a subsection to close");
-            path.pop_back();
-          }
-        else if (const auto equals = line.find('=');
-                 after_word(line.substr(0, equals), "set", rest) && equals != std::string::npos && !rest.empty())
-          {
-            statements.push_back({origin, join(path), rest, squeeze(line.substr(equals + 1))});
-            const PrmStatement &statement = statements.back();
-            if (!names.insert(statement.name()).second)
-              throw InputError(origin, statement.name(), statement.value, "is set twice; allowed is once");
-          }
-        else
-          throw InputError(origin + ": '" + line +
-                           "' is no statement; allowed are 'subsection NAME', 'set KEY = VALUE', 'end' and # comments");
-      }
-    if (!path.empty())
-      throw InputError(file + ": subsection '" + join(path) + "' is not closed; add 'end'");
-    return statements;
+    Reader reader;
+    reader.read(input, file, {});
+    return std::move(reader).statements();
   }
 
   PrmStatement

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
 #include <whipple/problem/problem.h>
+#include <whipple/scene/variables.h>
 #include <whipple/study/study_plan.h>
 
 #include <algorithm>
@@ -177,6 +178,7 @@ namespace whipple
     std::vector<PrmStatement>       statements = read_prm_statements(options.file);
     const std::vector<PrmStatement> more       = command_line_overrides(options, true);
     statements.insert(statements.end(), more.begin(), more.end());
+    substitute_variables(statements);
     if (auto section = read_study_section(options.file, statements))
       {
         const auto foreign = std::find_if_not(statements.begin(), statements.end(), belongs_to_study);

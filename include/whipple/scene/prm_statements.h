@@ -24,9 +24,11 @@ namespace whipple
   };
 
   /// All assignments of a .prm file (deal.II ParameterHandler's format: subsection, set, end, comments from '#',
-  /// a backslash at the end of a line continues it), each with the line it stands in.
-  /// @throws InputError if the file cannot be read, a line is no statement, subsections are not closed, or a key is set
-  /// twice.
+  /// a backslash at the end of a line continues it), each with the line it stands in. `include FILE` stands for the
+  /// statements of another file, in the section where it stands; its path counts from the file that includes it. What
+  /// an included file sets may be set again after it.
+  /// @throws InputError if a file cannot be read or includes itself, a line is no statement, subsections are not
+  /// closed, or a key is set twice.
   std::vector<PrmStatement>
   read_prm_statements(const std::string &file);
 

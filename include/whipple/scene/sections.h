@@ -35,6 +35,12 @@ namespace whipple::sections
   void
   read_mesh(SceneParameters &parameters, const Vector<dim> &upper, Scene<dim> &scene);
 
+  /// Move bodies that shall touch another (`Touching = bumper`) along axis 1 to where they meet it: coming along axis
+  /// 1, or against it if their velocity says so. Their position is set; needs the lattice.
+  template <int dim>
+  void
+  place_touching_bodies(SceneParameters &parameters, const Scene<dim> &scene);
+
   /// Inside the domain, no two of them overlapping; needs the scene's bodies and lattice.
   template <int dim>
   void

@@ -28,8 +28,9 @@ namespace whipple
     std::string                 summary;       ///< one line
     std::string                 documentation; ///< a paragraph
     std::vector<ShapeParameter> parameters;
-    std::string                 position_key; ///< of the parameter to look at if a body is in a wrong place
-    std::string                 size_key;     ///< ... or is too small
+    std::string                 position_key;             ///< of the parameter to look at if a body is in a wrong place
+    std::string                 size_key;                 ///< ... or is too small
+    bool                        placed_by_one_key = true; ///< the position key moves it and changes nothing else
   };
 
   /// What a scene says of one body's shape. Every function throws InputError naming file, key, value and what is

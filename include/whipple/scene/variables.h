@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <whipple/scene/prm_statements.h>
+
+#include <vector>
+
+namespace whipple
+{
+  /// Name of the section of variables.
+  inline constexpr const char *variables_section = "Variables";
+
+  /// Put the values of a scene's variables where they are used: `$d` or `${d}` in a value stands for the text that
+  /// `set d = 0.32 cm` in the section Variables gives, or `set Variables = d = 0.32 cm, gap = 2 cm` in one line. The
+  /// last statement counts, so that the command line or a study can change a variable. A variable may use those before
+  /// it. The statements that define variables are removed.
+  /// @throws InputError for a name that is none (letters, digits and _, no digit first), a variable that is used and
+  /// not
+  ///         defined, defined on the command line and not used, or uses itself
+  void
+  substitute_variables(std::vector<PrmStatement> &statements);
+} // namespace whipple
