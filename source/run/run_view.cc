@@ -89,13 +89,14 @@ namespace whipple
       return place > plane && speed > velocity;
     };
     const ConservedTotals<dim> sum = cell_sum<dim>(mesh, state, belongs, run_.domain.communicator());
-    Debris                     found{sum.mass, sum.momentum[flight_axis<dim>]};
+    Debris                     found{sum.mass, sum.momentum[flight_axis<dim>], sum.kinetic_energy};
     for_each_waiting([&](const Waiting<dim> &part, const CornerVectors<2> &x, const CornerVectors<2> &u) {
       if (CellShape<dim>::middle(x)[flight_axis<dim>] > plane && CellShape<dim>::middle(u)[flight_axis<dim>] > velocity)
         {
           const auto holds = totals_of(CellPacketLayout<dim>::of(state), part.element);
           found.mass += holds.mass;
           found.momentum += holds.momentum[flight_axis<dim>];
+          found.kinetic_energy += holds.kinetic_energy;
         }
     });
     return found;

@@ -64,15 +64,15 @@ namespace whipple
       static constexpr double      growth = 1.1, share = 0.02, cells = 0.5, small = 0.1, late = 0.02;
       static constexpr std::size_t looks = 5; // 1.1^4 = 1.46
 
-      /// Momentum along axis 1, g cm/us.
+      /// Kinetic energy, Mbar cm^3: what a crater's volume goes by.
       double
       on_its_way(const StageView &stage) const
       {
         if (!target_)
           return 0.;
         const double everywhere = -std::numeric_limits<double>::infinity();
-        return stage.beyond(everywhere, target_->velocity).momentum -
-               stage.beyond(target_->plane, target_->velocity).momentum;
+        return stage.beyond(everywhere, target_->velocity).kinetic_energy -
+               stage.beyond(target_->plane, target_->velocity).kinetic_energy;
       }
 
       static bool
@@ -125,8 +125,7 @@ namespace whipple
         "until holes have settled",
         {"'until holes have settled', '... and debris has reached BODY', '... within 10 us'",
          "when in the last third of the time no hole or crater has grown by more than 2 %, and all but 2 % of the "
-         "debris has "
-         "come to that body; at the latest after that time",
+         "debris, by its kinetic energy, has come to that body; at the latest after that time",
          [](const StageEndInput &input) -> std::shared_ptr<const StageEnd> {
            const std::string within = "within ", reached = "and debris has reached ";
            std::string       rest   = input.rest;

@@ -46,8 +46,9 @@ namespace
     Debris
     beyond(double plane, double) const override
     {
-      // beyond the plate nothing for 0.1 us, then momentum that tends to 1; 1 in all
-      return {1., plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau_of_arrival)};
+      // beyond the plate nothing for 0.1 us, then momentum and kinetic energy that tend to 1; 1 in all
+      const double share = plane < -1. ? 1. : now < 0.1 ? 0. : 1. - std::exp(-(now - 0.1) / tau_of_arrival);
+      return {1., share, share};
     }
     double
     coming(double) const override

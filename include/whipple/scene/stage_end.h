@@ -44,6 +44,8 @@ namespace whipple
     {
       double mass     = 0; ///< g
       double momentum = 0; ///< along the line of flight, g cm/us
+
+      double kinetic_energy = 0; ///< Mbar cm^3
     };
     /// Material beyond a plane across the line of flight [cm] that is faster along it than `velocity` [cm/us].
     virtual Debris
