@@ -4,6 +4,7 @@
 #include <whipple/command/command_line.h>
 #include <whipple/command/mpirun.h>
 #include <whipple/error.h>
+#include <whipple/output/output_directory.h>
 #include <whipple/output/version.h>
 #include <whipple/study/run.h>
 #include <whipple/study/study.h>
@@ -76,6 +77,22 @@ namespace
     return failure.status;
   }
 
+  /// An earlier run is kept: the new one goes beside it, unless it shall replace it. Ranks that mpirun has started go
+  /// where they were told.
+  void
+  choose_directory(RunOptions &options, std::vector<std::string> &arguments)
+  {
+    if (options.overwrite || options.resume || options.validate_only || options.effects_report || mpirun::is_rank())
+      return;
+    const std::string free = free_output_directory(options.output_directory);
+    if (free == options.output_directory)
+      return;
+    std::cout << "'" << options.output_directory << "' holds an earlier run, which stays; this one goes to '" << free
+              << "' (--overwrite: replace it)" << std::endl;
+    options.output_directory = free;
+    arguments.insert(arguments.end(), {"--output", free});
+  }
+
   /// A rank that a signal ends (out of memory, a person) takes the others with it, and none can say so.
   void
   tell_of_killed_ranks(int status, const RunOptions &options)
@@ -143,7 +160,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::vector<std::string> arguments(argv + 1, argv + argc);
 
   // what is wrong with the arguments is said once MPI is up, by one rank
   command_line::Command command;
@@ -152,6 +169,7 @@ main(int argc, char **argv)
     command = command_line::parse(arguments);
     if (auto *run = std::get_if<command_line::Run>(&command))
       {
+        choose_directory(run->options, arguments);
         if (run->ranks > 1 && !mpirun::is_rank())
           {
             ended = mpirun::run(run->ranks, arguments);

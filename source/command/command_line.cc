@@ -93,13 +93,15 @@ namespace whipple::command_line
             options.output_directory = value_of(arguments, i, "a directory");
           else if (argument == "--resume")
             resumed = value_of(arguments, i, "the directory of a run");
+          else if (argument == "--overwrite")
+            options.overwrite = true;
           else if (argument == "--validate")
             options.validate_only = true;
           else if (argument == "--effects-report")
             options.effects_report = true;
           else
             take_file(options.scene_file, argument, "run",
-                      "run takes -n, --set, --output, --resume, --validate and --effects-report");
+                      "run takes -n, --set, --output, --overwrite, --resume, --validate and --effects-report");
         }
       if (!resumed.empty())
         resume(resumed, options);

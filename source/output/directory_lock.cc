@@ -58,6 +58,17 @@ namespace whipple
       throw InputError("output directory '" + directory + "' cannot be written to: " + std::strerror(errno));
   }
 
+  bool
+  DirectoryLock::is_held(const std::string &directory)
+  {
+    const int descriptor = open((directory + '/' + file_name).c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+      return false;
+    const bool held = flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    close(descriptor);
+    return held;
+  }
+
   DirectoryLock::DirectoryLock(DirectoryLock &&other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1))
   {

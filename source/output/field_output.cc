@@ -2,14 +2,17 @@
 #include <whipple/error.h>
 #include <whipple/output/field_output.h>
 #include <whipple/output/first_rank.h>
+#include <whipple/output/manifest.h>
 #include <whipple/output/snapshot_hdf5.h>
 #include <whipple/output/snapshot_vtu.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <utility>
 
 namespace whipple
@@ -43,7 +46,6 @@ namespace whipple
     , communicator_(communicator)
     , extra_(std::move(extra))
   {
-    on_first_rank<Error>(communicator_, [&] { std::filesystem::create_directories(directory_ + "/fields"); });
   }
 
   template <int dim>
@@ -51,6 +53,8 @@ namespace whipple
   FieldOutput<dim>::write(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                           std::string_view stage)
   {
+    if (series_.count > 0 && series_.stage == stage && series_.time == state.time)
+      return;
     const int           rank = rank_in(communicator_);
     const Snapshot<dim> snapshot =
         take_snapshot(mesh, state, derived, material_names_, extra_,
@@ -60,15 +64,61 @@ namespace whipple
     if (n_cells == 0)
       return;
     const std::string stem = "fields/" + numbered("fields-", series_.count++);
+    series_.stage          = stage;
+    series_.time           = state.time;
+    series_.shown.push_back(shown_time(state.time));
     if (options_.hdf5)
       {
-        series_.grids.push_back(snapshot_hdf5::write(snapshot, directory_ + '/' + stem + ".h5", stem + ".h5", stage,
-                                                     snapshot_hdf5::Precision::single_precision, communicator_));
+        make_room_for(stem + ".h5");
+        series_.grids.push_back(snapshot_hdf5::write(
+            snapshot, directory_ + '/' + stem + ".h5",
+            {.path = stem + ".h5", .stage = std::string(stage), .shown_time = series_.shown.back()},
+            snapshot_hdf5::Precision::single_precision, communicator_));
         on_first_rank<Error>(communicator_,
                              [&] { snapshot_hdf5::write_series(directory_ + "/fields.xdmf", series_.grids); });
       }
     if (options_.vtu)
-      snapshot_vtu::write(snapshot, directory_ + '/' + stem + ".vtu", communicator_);
+      {
+        make_room_for(stem + ".vtu");
+        snapshot_vtu::write(snapshot, directory_ + '/' + stem + ".vtu", communicator_);
+        on_first_rank<Error>(communicator_, [&] { write_record(); });
+      }
+  }
+
+  template <int dim>
+  double
+  FieldOutput<dim>::shown_time(double time) const
+  {
+    constexpr double apart =
+        1e-9; // of the time: ParaView's readers tell 1e-15 apart, not 2e-16; people read fewer digits
+    return series_.shown.empty() ? time : std::max(time, series_.shown.back() * (1. + apart));
+  }
+
+  template <int dim>
+  void
+  FieldOutput<dim>::make_room_for(const std::string &name)
+  {
+    on_first_rank<Error>(communicator_, [&] {
+      std::filesystem::create_directories((std::filesystem::path(directory_) / name).parent_path());
+      manifest::note(directory_, name);
+    });
+  }
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write_record() const
+  {
+    const std::string path = directory_ + "/fields.pvd";
+    std::ofstream     file(path);
+    file.precision(std::numeric_limits<double>::max_digits10); // deal.II's writer has 12 digits, and the date
+    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+            "<Collection>\n";
+    for (std::size_t i = 0; i < series_.shown.size(); ++i)
+      file << "<DataSet timestep=\"" << series_.shown[i] << "\" part=\"0\" file=\"fields/"
+           << numbered("fields-", static_cast<int>(i)) << ".vtu\"/>\n";
+    file << "</Collection>\n</VTKFile>\n";
+    if (!(file << std::flush))
+      throw Error(path + ": cannot be written");
   }
 
   template <int dim>
@@ -93,8 +143,9 @@ namespace whipple
     const std::string   name     = numbered("rank-", rank);
     if (snapshot.n_cells() == 0)
       return;
-    const std::string grid = snapshot_hdf5::write(snapshot, folder + name + ".h5", name + ".h5", stage,
-                                                  snapshot_hdf5::Precision::double_precision, MPI_COMM_SELF);
+    const std::string grid = snapshot_hdf5::write(
+        snapshot, folder + name + ".h5", {.path = name + ".h5", .stage = std::string(stage), .shown_time = state.time},
+        snapshot_hdf5::Precision::double_precision, MPI_COMM_SELF);
     snapshot_hdf5::write_series(folder + name + ".xdmf", std::array<std::string, 1>{{grid}});
   }
 

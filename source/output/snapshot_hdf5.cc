@@ -2,12 +2,15 @@
 #include <whipple/output/disk_room.h>
 #include <whipple/output/hdf5_table.h>
 #include <whipple/output/snapshot_hdf5.h>
+#include <whipple/output/version.h>
+#include <whipple/output/xml.h>
 
 #include <array>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -34,28 +37,6 @@ namespace whipple::snapshot_hdf5
     }
 
     std::string
-    xml(std::string_view text)
-    {
-      std::string escaped;
-      for (const char c : text)
-        switch (c)
-          {
-          case '&':
-            escaped += "&amp;";
-            break;
-          case '<':
-            escaped += "&lt;";
-            break;
-          case '"':
-            escaped += "&quot;";
-            break;
-          default:
-            escaped += c;
-          }
-      return escaped;
-    }
-
-    std::string
     data_item(const std::string &stored_path, const std::string &dataset, const std::string &dimensions,
               std::string_view number_type, int bytes)
     {
@@ -63,17 +44,6 @@ namespace whipple::snapshot_hdf5
       text << "<DataItem Dimensions=\"" << dimensions << "\" NumberType=\"" << number_type << "\" Precision=\"" << bytes
            << "\" Format=\"HDF\">" << xml(stored_path) << ":/" << dataset << "</DataItem>";
       return text.str();
-    }
-
-    /// Corners in the order in which XDMF walks around a cell, as lexicographic numbers.
-    template <int dim>
-    constexpr std::array<int, 1 << dim>
-    xdmf_walk()
-    {
-      if constexpr (dim == 2)
-        return {{0, 1, 3, 2}};
-      else
-        return {{0, 1, 3, 2, 4, 5, 7, 6}};
     }
 
     template <int dim>
@@ -84,25 +54,25 @@ namespace whipple::snapshot_hdf5
       std::vector<int> nodes(snapshot.cell_node.size());
       for (std::size_t c = 0; c < snapshot.n_cells(); ++c)
         for (int k = 0; k < corners; ++k)
-          nodes[c * corners + k] = static_cast<int>(first_node) + snapshot.cell_node[c * corners + xdmf_walk<dim>()[k]];
+          nodes[c * corners + k] =
+              static_cast<int>(first_node) + snapshot.cell_node[c * corners + Snapshot<dim>::walk[k]];
       return nodes;
     }
 
     template <int dim>
     std::string
-    grid_head(const Snapshot<dim> &snapshot, const std::string &stored_path, std::string_view grid_name,
-              const Rows &nodes, const Rows &cells)
+    grid_head(const GridPlace &place, const Rows &nodes, const Rows &cells)
     {
       constexpr bool     plane   = dim == 2;
       const std::string  n_cells = std::to_string(cells.global), n_nodes = std::to_string(nodes.global);
       std::ostringstream text;
-      text.precision(12);
-      text << "<Grid Name=\"" << xml(grid_name) << "\" GridType=\"Uniform\">\n<Time Value=\"" << snapshot.time
+      text.precision(std::numeric_limits<double>::max_digits10);
+      text << "<Grid Name=\"" << xml(place.stage) << "\" GridType=\"Uniform\">\n<Time Value=\"" << place.shown_time
            << "\"/>\n<Geometry GeometryType=\"" << (plane ? "XY" : "XYZ") << "\">"
-           << data_item(stored_path, "nodes", n_nodes + ' ' + std::to_string(dim), "Float", 8)
+           << data_item(place.path, "nodes", n_nodes + ' ' + std::to_string(dim), "Float", 8)
            << "</Geometry>\n<Topology TopologyType=\"" << (plane ? "Quadrilateral" : "Hexahedron")
            << "\" NumberOfElements=\"" << n_cells << "\">"
-           << data_item(stored_path, "cells", n_cells + ' ' + std::to_string(1 << dim), "Int", 4) << "</Topology>\n";
+           << data_item(place.path, "cells", n_cells + ' ' + std::to_string(1 << dim), "Int", 4) << "</Topology>\n";
       return text.str();
     }
 
@@ -118,10 +88,21 @@ namespace whipple::snapshot_hdf5
       return text.str();
     }
 
+    /// What a file is, for those who find it alone.
+    void
+    describe(HDF5::File &file, double time, const std::string &stage)
+    {
+      file.set_attribute("time", time);
+      file.set_attribute("stage", stage);
+      file.set_attribute("units",
+                         std::string("cm, g, us, Mbar, K; 1 for pure numbers; attribute 'unit' of each dataset"));
+      file.set_attribute("version",
+                         "Whipple " + std::string(version::number()) + " (" + std::string(version::git_hash()) + ')');
+    }
+
     template <typename Number, int dim>
     std::string
-    write_as(const Snapshot<dim> &snapshot, const std::string &path, const std::string &stored_path,
-             std::string_view grid_name, MPI_Comm communicator)
+    write_as(const Snapshot<dim> &snapshot, const std::string &path, const GridPlace &place, MPI_Comm communicator)
     {
       const Rows nodes = rows_of(snapshot.n_nodes(), communicator), cells = rows_of(snapshot.n_cells(), communicator);
       const auto stored = [](const std::vector<double> &values) {
@@ -134,21 +115,22 @@ namespace whipple::snapshot_hdf5
                             bytes * snapshot.fields.size() * snapshot.n_cells(),
                         communicator);
 
-      HDF5::File  file(path, HDF5::File::FileAccessMode::create, communicator);
-      std::string grid = grid_head(snapshot, stored_path, grid_name, nodes, cells);
-      hdf5_table::write(file, "nodes", snapshot.position, nodes, dim);
+      HDF5::File file(path, HDF5::File::FileAccessMode::create, communicator);
+      describe(file, snapshot.time, place.stage);
+      std::string grid = grid_head<dim>(place, nodes, cells);
+      hdf5_table::write(file, "nodes", snapshot.position, nodes, dim).set_attribute("unit", std::string("cm"));
       hdf5_table::write(file, "cells", walked_cells(snapshot, nodes.offset), cells, Snapshot<dim>::corners);
       hdf5_table::write(file, "velocity", stored(snapshot.velocity), nodes, 3)
           .set_attribute("unit", std::string("cm/us"));
       grid += attribute("velocity", "cm/us", "Vector", "Node",
-                        data_item(stored_path, "velocity", std::to_string(nodes.global) + " 3", "Float", bytes));
+                        data_item(place.path, "velocity", std::to_string(nodes.global) + " 3", "Float", bytes));
       std::set<std::string> taken{"nodes", "cells", "velocity"};
       for (const CellField &field : snapshot.fields)
         {
           const std::string name = dataset_name(field.name, taken);
           hdf5_table::write(file, name, stored(field.value), cells, 1).set_attribute("unit", field.unit);
           grid += attribute(field.name, field.unit, "Scalar", "Cell",
-                            data_item(stored_path, name, std::to_string(cells.global), "Float", bytes));
+                            data_item(place.path, name, std::to_string(cells.global), "Float", bytes));
         }
       return grid + "</Grid>\n";
     }
@@ -156,12 +138,12 @@ namespace whipple::snapshot_hdf5
 
   template <int dim>
   std::string
-  write(const Snapshot<dim> &snapshot, const std::string &path, const std::string &stored_path,
-        std::string_view grid_name, Precision precision, MPI_Comm communicator)
+  write(const Snapshot<dim> &snapshot, const std::string &path, const GridPlace &place, Precision precision,
+        MPI_Comm communicator)
   {
     if (precision == Precision::single_precision)
-      return write_as<float>(snapshot, path, stored_path, grid_name, communicator);
-    return write_as<double>(snapshot, path, stored_path, grid_name, communicator);
+      return write_as<float>(snapshot, path, place, communicator);
+    return write_as<double>(snapshot, path, place, communicator);
   }
 
   void
@@ -170,7 +152,7 @@ namespace whipple::snapshot_hdf5
     const std::string temporary = path + ".part";
     {
       std::ofstream file(temporary);
-      file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
+      file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
               "<Grid Name=\"Whipple\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
       for (const std::string &grid : grids)
         file << grid;
@@ -182,5 +164,5 @@ namespace whipple::snapshot_hdf5
   }
 
   template std::string
-  write<2>(const Snapshot<2> &, const std::string &, const std::string &, std::string_view, Precision, MPI_Comm);
+  write<2>(const Snapshot<2> &, const std::string &, const GridPlace &, Precision, MPI_Comm);
 } // namespace whipple::snapshot_hdf5

@@ -1,95 +1,146 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/data_out_base.h>
-#include <deal.II/grid/reference_cell.h>
+#include <deal.II/base/utilities.h>
 
+#include <whipple/error.h>
+#include <whipple/output/disk_room.h>
 #include <whipple/output/snapshot_vtu.h>
+#include <whipple/output/xml.h>
 
-#include <tuple>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <type_traits>
 
 namespace whipple::snapshot_vtu
 {
   namespace
   {
-    template <int dim>
-    using Patch = dealii::DataOutBase::Patch<dim, dim>;
+    /// The names that VTK gives to types.
+    template <typename Number>
+    constexpr const char *type_name = std::is_same_v<Number, double>         ? "Float64"
+                                      : std::is_same_v<Number, float>        ? "Float32"
+                                      : std::is_same_v<Number, std::int32_t> ? "Int32"
+                                                                             : "UInt8";
 
-    /// A patch a cell: components 0 .. dim-1 the velocity of its corners, then the fields.
-    template <int dim>
-    std::vector<Patch<dim>>
-    patches_of(const Snapshot<dim> &snapshot)
+    /// Length in bytes, then the values, in base 64.
+    template <typename Number>
+    void
+    write_array(std::ostream &text, const std::string &name, std::size_t components, const std::vector<Number> &values)
     {
-      constexpr int           corners = Snapshot<dim>::corners;
-      std::vector<Patch<dim>> patches(snapshot.n_cells());
-      for (std::size_t c = 0; c < patches.size(); ++c)
-        {
-          Patch<dim> &patch    = patches[c];
-          patch.patch_index    = static_cast<unsigned int>(c);
-          patch.n_subdivisions = 1;
-          patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
-          patch.data.reinit(dim + snapshot.fields.size(), corners);
-          for (int k = 0; k < corners; ++k)
-            {
-              const Index node = snapshot.cell_node[c * corners + k];
-              for (int d = 0; d < dim; ++d)
-                {
-                  patch.vertices[k][d] = snapshot.position[node * dim + d];
-                  patch.data(d, k)     = static_cast<float>(snapshot.velocity[node * 3 + d]);
-                }
-              for (std::size_t f = 0; f < snapshot.fields.size(); ++f)
-                patch.data(dim + f, k) = static_cast<float>(snapshot.fields[f].value[c]);
-            }
-        }
-      return patches;
+      const std::uint64_t        length = values.size() * sizeof(Number);
+      std::vector<unsigned char> bytes(sizeof length + length);
+      std::memcpy(bytes.data(), &length, sizeof length);
+      if (length > 0)
+        std::memcpy(bytes.data() + sizeof length, values.data(), length);
+      text << "<DataArray type=\"" << type_name<Number> << "\" Name=\"" << name << "\" NumberOfComponents=\""
+           << components << "\" format=\"binary\">" << dealii::Utilities::encode_base64(bytes) << "</DataArray>\n";
     }
 
-    /// What deal.II's writers ask for.
-    template <int dim>
-    class Writer : public dealii::DataOutInterface<dim>
+    std::vector<float>
+    single_precision(const std::vector<double> &values)
     {
-    public:
-      explicit Writer(const Snapshot<dim> &snapshot)
-        : patches_(patches_of(snapshot))
-        , names_(dim, "velocity [cm/us]")
-      {
-        for (const CellField &field : snapshot.fields)
-          names_.push_back(field.unit == "1" ? field.name : field.name + " [" + field.unit + ']');
-      }
+      return {values.begin(), values.end()};
+    }
 
-    private:
-      using Range = std::tuple<unsigned int, unsigned int, std::string,
-                               dealii::DataComponentInterpretation::DataComponentInterpretation>;
+    /// Places of the nodes, in three dimensions as VTK wants them.
+    template <int dim>
+    std::vector<double>
+    points(const Snapshot<dim> &snapshot)
+    {
+      std::vector<double> points(3 * snapshot.n_nodes(), 0.);
+      for (std::size_t n = 0; n < snapshot.n_nodes(); ++n)
+        for (int d = 0; d < dim; ++d)
+          points[3 * n + d] = snapshot.position[n * dim + d];
+      return points;
+    }
 
-      const std::vector<Patch<dim>> &
-      get_patches() const override
-      {
-        return patches_;
-      }
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        return names_;
-      }
-      std::vector<Range>
-      get_nonscalar_data_ranges() const override
-      {
-        return {Range(0, dim - 1, names_.front(), dealii::DataComponentInterpretation::component_is_part_of_vector)};
-      }
+    /// VTK's quadrilateral and hexahedron.
+    template <int dim>
+    constexpr std::uint8_t cell_type = dim == 2 ? 9 : 12;
 
-      std::vector<Patch<dim>>  patches_;
-      std::vector<std::string> names_;
-    };
+    template <int dim>
+    std::vector<std::int32_t>
+    walked_cells(const Snapshot<dim> &snapshot)
+    {
+      constexpr std::size_t     corners = Snapshot<dim>::corners;
+      std::vector<std::int32_t> nodes(snapshot.cell_node.size());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        nodes[i] = snapshot.cell_node[i - i % corners + Snapshot<dim>::walk[i % corners]];
+      return nodes;
+    }
+
+    template <int dim>
+    std::string
+    piece(const Snapshot<dim> &snapshot)
+    {
+      constexpr int      corners = Snapshot<dim>::corners;
+      std::ostringstream text;
+      text << "<Piece NumberOfPoints=\"" << snapshot.n_nodes() << "\" NumberOfCells=\"" << snapshot.n_cells()
+           << "\">\n<PointData>\n";
+      write_array(text, "velocity [cm/us]", 3, single_precision(snapshot.velocity));
+      text << "</PointData>\n<CellData>\n";
+      for (const CellField &field : snapshot.fields)
+        write_array(text, xml(field.unit == "1" ? field.name : field.name + " [" + field.unit + ']'), 1,
+                    single_precision(field.value));
+      text << "</CellData>\n<Points>\n";
+      write_array(text, "Points", 3, points(snapshot));
+      text << "</Points>\n<Cells>\n";
+      write_array(text, "connectivity", 1, walked_cells(snapshot));
+      std::vector<std::int32_t> ends(snapshot.n_cells());
+      for (std::size_t c = 0; c < ends.size(); ++c)
+        ends[c] = static_cast<std::int32_t>((c + 1) * corners);
+      write_array(text, "offsets", 1, ends);
+      write_array(text, "types", 1, std::vector<std::uint8_t>(snapshot.n_cells(), cell_type<dim>));
+      text << "</Cells>\n</Piece>\n";
+      return text.str();
+    }
+
+    std::string
+    head(double time)
+    {
+      std::ostringstream text;
+      text << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+              "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
+      write_array(text, "TimeValue", 1, std::vector<double>{time});
+      text << "</FieldData>\n";
+      return text.str();
+    }
+
+    /// The texts of all ranks, one after the other. @throws Error
+    void
+    write_in_order(const std::string &path, const std::string &text, MPI_Comm communicator)
+    {
+      require_disk_room(path, text.size(), communicator);
+      MPI_File  file;
+      const int mode = MPI_MODE_CREATE | MPI_MODE_WRONLY;
+      int       failed =
+          MPI_File_open(communicator, path.c_str(), mode, MPI_INFO_NULL, &file) != MPI_SUCCESS; // returns, as files do
+      if (!failed)
+        {
+          failed |= MPI_File_set_size(file, 0) != MPI_SUCCESS;
+          failed |= MPI_File_write_ordered(file, text.data(), static_cast<int>(text.size()), MPI_CHAR,
+                                           MPI_STATUS_IGNORE) != MPI_SUCCESS;
+          failed |= MPI_File_close(&file) != MPI_SUCCESS;
+        }
+      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_LOR, communicator);
+      if (failed)
+        throw Error(path + ": cannot be written");
+    }
   } // namespace
 
   template <int dim>
   void
   write(const Snapshot<dim> &snapshot, const std::string &path, MPI_Comm communicator)
   {
-    Writer<dim>                   writer(snapshot);
-    dealii::DataOutBase::VtkFlags flags;
-    flags.time                = snapshot.time;
-    flags.print_date_and_time = false; // the same run writes the same bytes
-    writer.set_flags(flags);
-    writer.write_vtu_in_parallel(path, communicator);
+    int rank = 0, ranks = 1;
+    MPI_Comm_rank(communicator, &rank);
+    MPI_Comm_size(communicator, &ranks);
+    std::string text = rank == 0 ? head(snapshot.time) : std::string{};
+    if (snapshot.n_cells() > 0)
+      text += piece(snapshot);
+    if (rank + 1 == ranks)
+      text += "</UnstructuredGrid>\n</VTKFile>\n";
+    write_in_order(path, text, communicator);
   }
 
   template void

@@ -26,7 +26,7 @@ namespace whipple::checkpoint
     using Json   = nlohmann::ordered_json;
 
     /// Of the files below; to be raised with every change of what they mean.
-    constexpr int format = 7;
+    constexpr int format = 8;
 
     constexpr std::array<const char *, 3> files{"parameters.prm", "books.cbor", "state.h5"};
     constexpr const char                 *contents = "contents.json";

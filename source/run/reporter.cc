@@ -2,6 +2,7 @@
 #include <whipple/diagnostics/phase_measure.h>
 #include <whipple/output/duration.h>
 #include <whipple/output/first_rank.h>
+#include <whipple/output/manifest.h>
 #include <whipple/problem/effect_forecast.h>
 #include <whipple/problem/scene_warnings.h>
 #include <whipple/run/reporter.h>
@@ -99,8 +100,10 @@ namespace whipple
         for (const WatchTable &table : watching.tables)
           {
             const std::string path = directory_ + '/' + table.file;
-            on_first_rank<Error>(
-                communicator, [&] { std::filesystem::create_directories(std::filesystem::path(path).parent_path()); });
+            on_first_rank<Error>(communicator, [&] {
+              std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+              manifest::note(directory_, table.file);
+            });
             std::uint64_t kept = 0;
             if (resumed)
               if (const auto found = resumed->report.table_bytes.find(table.file);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/output/first_rank.h>
-#include <whipple/output/output_directory.h>
 #include <whipple/run/resume.h>
 #include <whipple/scene/prm_statements.h>
 
@@ -74,21 +73,18 @@ namespace whipple
 
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  start(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
+  start(const Problem<dim> &problem, RunPlace place, EarlierRun earlier, MPI_Comm communicator)
   {
-    DirectoryLock lock = prepare_output_directory(place.directory, communicator);
+    place.lock = std::make_shared<DirectoryLock>(prepare_output_directory(place.directory, earlier, communicator));
     write_parameters(problem.scene, place.directory, communicator);
-    auto simulation = std::make_unique<Simulation<dim>>(problem, place, communicator);
-    simulation->hold(std::move(lock));
-    return simulation;
+    return std::make_unique<Simulation<dim>>(problem, place, communicator);
   }
 
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  go_on(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator)
+  go_on(const Problem<dim> &problem, RunPlace place, MPI_Comm communicator)
   {
-    DirectoryLock lock;
-    on_first_rank<InputError>(communicator, [&] { lock = DirectoryLock(place.directory); });
+    on_first_rank<InputError>(communicator, [&] { place.lock = std::make_shared<DirectoryLock>(place.directory); });
     const auto found = CheckpointStore<dim>::newest(place.directory, communicator);
     if (!found.header && !found.refused.empty())
       throw InputError(place.directory + ": no checkpoint to go on from: " + found.refused.front());
@@ -99,7 +95,6 @@ namespace whipple
           throw InputError(place.directory + ": has no checkpoint, and its run is over");
         write_parameters(problem.scene, place.directory, communicator);
         auto simulation = std::make_unique<Simulation<dim>>(problem, place, communicator);
-        simulation->hold(std::move(lock));
         simulation->log().info("there was no checkpoint yet: the run begins anew");
         return simulation;
       }
@@ -107,7 +102,6 @@ namespace whipple
     write_parameters(problem.scene, place.directory, communicator);
     auto simulation =
         std::make_unique<Simulation<dim>>(problem, place, found.directory, found.header->books, communicator);
-    simulation->hold(std::move(lock));
     for (const std::string &reason : found.refused)
       simulation->log().info("an older checkpoint is used: " + reason);
     return simulation;
@@ -116,7 +110,7 @@ namespace whipple
   template bool
   may_change(const std::string &, const Scene<2> &, std::size_t);
   template std::unique_ptr<Simulation<2>>
-  start(const Problem<2> &, const RunPlace &, MPI_Comm);
+  start(const Problem<2> &, RunPlace, EarlierRun, MPI_Comm);
   template std::unique_ptr<Simulation<2>>
-  go_on(const Problem<2> &, const RunPlace &, MPI_Comm);
+  go_on(const Problem<2> &, RunPlace, MPI_Comm);
 } // namespace whipple

@@ -84,7 +84,8 @@ namespace whipple
   template <int dim>
   Simulation<dim>::Simulation(const Problem<dim> &problem, const RunPlace &place, const RunBooks<dim> *books,
                               MPI_Comm communicator)
-    : problem_(problem)
+    : lock_(place.lock)
+    , problem_(problem)
     , scene_(problem_.scene)
     , layout_(problem_.layout)
     , directory_(place.directory)
@@ -237,7 +238,7 @@ namespace whipple
   Simulation<dim>::follow_plates(const Stage &stage, const FieldLayout &layout)
   {
     const double     start = state_.books.summary.stages.back().start_us, end = state_.domain.state.time;
-    constexpr double longest = 8.; // times what the stage has taken
+    constexpr double longest = 5.; // times what the stage has taken
     Stage            longer  = stage;
     longer.end               = until_holes_have_settled(longest * (end - start));
     LastGood<dim> before, good;

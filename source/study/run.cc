@@ -2,6 +2,7 @@
 #include <whipple/error.h>
 #include <whipple/output/duration.h>
 #include <whipple/output/first_rank.h>
+#include <whipple/output/manifest.h>
 #include <whipple/problem/effect_forecast.h>
 #include <whipple/problem/scene_warnings.h>
 #include <whipple/run/resume.h>
@@ -22,7 +23,8 @@ namespace whipple
          MPI_Comm communicator)
     {
       const RunPlace place{directory, options.live, wall_start};
-      return options.resume ? go_on(problem, place, communicator) : start(problem, place, communicator);
+      const auto     earlier = options.overwrite ? EarlierRun::replaced : EarlierRun::refused;
+      return options.resume ? go_on(problem, place, communicator) : start(problem, place, earlier, communicator);
     }
 
     /// Run the coarser scenes below DIR/error_estimate. One that stops is left out: two levels still give an error bar.
@@ -35,11 +37,12 @@ namespace whipple
       for (const Problem<2> &problem : problems)
         {
           const std::string cell = units::format(problem.scene.lattice.spacing, units::length);
-          const std::string directory =
-              options.output_directory + "/error_estimate/cell=" + cell.substr(0, cell.find(' ')) + "cm";
+          const std::string name = "error_estimate/cell=" + cell.substr(0, cell.find(' ')) + "cm/";
+          on_first_rank<Error>(communicator, [&] { manifest::note(options.output_directory, name); });
           if (speaks)
             std::cout << "error estimate: cells of " << cell << std::endl;
-          const auto simulation = make(problem, options, directory, wall_start, communicator);
+          const auto simulation =
+              make(problem, options, options.output_directory + '/' + name, wall_start, communicator);
           try
             {
               simulation->run();

@@ -32,8 +32,8 @@ namespace whipple
     std::vector<std::string>
     words_of(const StudyPlan &plan, const StudyPoint &point, const std::string &directory)
     {
-      std::vector<std::string> words{"run",    plan.section.scene_file, "-n", std::to_string(point.ranks), "--output",
-                                     directory};
+      std::vector<std::string> words{
+          "run", plan.section.scene_file, "-n", std::to_string(point.ranks), "--output", directory, "--overwrite"};
       for (const PrmStatement &statement : point.overrides)
         {
           words.push_back("--set");

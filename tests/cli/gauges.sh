@@ -51,5 +51,5 @@ if /usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null; then
   /usr/bin/python3 "$source/scripts/plot_run.py" with >/dev/null
   [ -s 'with/pictures/gauge-rear side.png' ] && [ -s with/pictures/gauge-empty.png ]
 fi
-run with
+run with --overwrite
 [ ! -e with/gauges ] || { echo 'gauges of an earlier run are left'; exit 1; }

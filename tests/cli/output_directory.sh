@@ -34,5 +34,5 @@ done
 cmp before.prm shared/parameters.prm
 kill -9 $first
 wait $first || true
-"$program" run "$source/prm/verification/sod.prm" --output shared >out.txt
+"$program" run "$source/prm/verification/sod.prm" --output shared --overwrite >out.txt
 grep -q '"status": "completed"' shared/summary.json

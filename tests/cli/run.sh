@@ -1,15 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# A small run on two ranks leaves what doc/output.md promises, and running it again replaces it.
+# A small run on two ranks leaves what doc/output.md promises. Run again it goes beside the first, or in its place.
 program=$1
 source=$2
 
-rm -rf output
-for attempt in first second; do
-  "$program" run "$source/prm/verification/sod.prm" -n 2 --set 'Output/Fields interval = 0.1 us' >out.txt
-  for file in log.txt parameters.prm statistics.csv summary.json fields.xdmf fields/fields-00000.h5; do
-    [ -s "output/sod/$file" ] || { echo "no $file after the $attempt run"; ls output/sod; exit 1; }
+sod() {
+  "$program" run "$source/prm/verification/sod.prm" -n 2 --set 'Output/Fields interval = 0.1 us' "$@" >out.txt
+  for file in log.txt parameters.prm statistics.csv summary.json fields.xdmf fields/fields-00000.h5 manifest.txt; do
+    [ -s "$folder/$file" ] || { echo "no $file in $folder: $*"; ls "$folder"; exit 1; }
   done
-done
+}
+folder=output/sod
+sod
+cp output/sod/log.txt first_log.txt
+echo mine >output/sod/fields/mine.txt
+folder=output/sod-2
+sod
+grep -q "^'output/sod' holds an earlier run, which stays; this one goes to 'output/sod-2' (--overwrite: replace it)$" out.txt
+cmp first_log.txt output/sod/log.txt
+folder=output/sod
+sod --overwrite
+! cmp -s first_log.txt output/sod/log.txt
+[ "$(cat output/sod/fields/mine.txt)" = mine ]
+[ ! -e output/sod-3 ]
+# what mpirun has started by itself replaces nothing either
+status=0
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+mpirun -n 1 "$program" run "$source/prm/verification/sod.prm" >out.txt 2>err.txt || status=$?
+grep -q '^whipple: .*holds an earlier run; give another directory, or --overwrite' err.txt || { cat err.txt; exit 1; }
 grep -q '"status": "completed"' output/sod/summary.json
 grep -q '^time \[us\],' output/sod/statistics.csv || { head -n 1 output/sod/statistics.csv; exit 1; }
 # the parameters in force are a scene that reads back

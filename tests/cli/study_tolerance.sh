@@ -24,5 +24,5 @@ grep -q 'Cheapest setting that reaches 60 %' out.txt || { cat out.txt; exit 1; }
 grep -Eq '^bumper crater_depth_cm [0-9.]+ \+- [0-9.]+ \(' out.txt || { tail out.txt; exit 1; }
 grep -q '"error_bars"' output/run/summary.json
 [ -s output/run/error_estimate/cell=0.032cm/summary.json ] || { ls output/run/error_estimate; exit 1; }
-"$program" run "$scene" "$@" --output output/run >out.txt
+"$program" run "$scene" "$@" --output output/run --overwrite >out.txt
 [ ! -e output/run/error_estimate ] || { echo 'left over'; exit 1; }

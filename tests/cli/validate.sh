@@ -8,7 +8,7 @@ rm -rf output # of a run of this test that failed
 for scene in "$source"/prm/*.prm "$source"/prm/verification/*.prm "$source"/bench/*.prm; do
   "$program" run "$scene" --validate
 done
-for study in "$source"/prm/studies/*.prm "$source"/prm/verification/*.prm; do
+for study in "$source"/prm/*.prm "$source"/prm/studies/*.prm "$source"/prm/verification/*.prm; do
   ! grep -q '^subsection Study' "$study" || "$program" study "$study" --validate
 done
 "$program" run "$source/prm/whipple_shield.prm" --validate -n 2

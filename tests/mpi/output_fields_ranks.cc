@@ -115,8 +115,8 @@ namespace
         fs::create_directories(directory);
         std::ofstream(directory / "notes.txt") << "mine";
       }
-    EXPECT_THROW(prepare_output_directory(directory.string(), MPI_COMM_WORLD), InputError);
-    EXPECT_NO_THROW(prepare_output_directory((directory / "run").string(), MPI_COMM_WORLD));
+    EXPECT_THROW(prepare_output_directory(directory.string(), EarlierRun::replaced, MPI_COMM_WORLD), InputError);
+    EXPECT_NO_THROW(prepare_output_directory((directory / "run").string(), EarlierRun::replaced, MPI_COMM_WORLD));
     MPI_Barrier(MPI_COMM_WORLD);
   }
 } // namespace

@@ -123,7 +123,7 @@ namespace
   void
   run_until(const Problem<2> &scene, const std::string &directory, double seconds, MPI_Comm communicator)
   {
-    const auto  simulation = start(scene, {directory}, communicator);
+    const auto  simulation = start(scene, {directory}, EarlierRun::replaced, communicator);
     std::thread alarm;
     if (rank_of(communicator) == 0)
       alarm = std::thread([&] {
@@ -155,7 +155,7 @@ namespace
     MPI_Barrier(MPI_COMM_WORLD);
 
     const double begin = MPI_Wtime();
-    const auto   whole = start(scene, {folder + "/whole"}, MPI_COMM_WORLD);
+    const auto   whole = start(scene, {folder + "/whole"}, EarlierRun::replaced, MPI_COMM_WORLD);
     whole->run();
     double duration = MPI_Wtime() - begin;
     MPI_Bcast(&duration, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
@@ -218,7 +218,8 @@ namespace
         const Problem<2> scene = read_problem<2>(source_directory() + "/prm/whipple_shield.prm", overrides);
         int              ranks = 1;
         MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-        const auto simulation = start(scene, {"restart_output_" + std::to_string(ranks) + "_retries"}, MPI_COMM_WORLD);
+        const auto simulation = start(scene, {"restart_output_" + std::to_string(ranks) + "_retries"},
+                                      EarlierRun::replaced, MPI_COMM_WORLD);
         simulation->run();
         EXPECT_EQ(simulation->summary().status, "completed");
         EXPECT_EQ(simulation->summary().counts.retries, 2 * 3); // in each stage

@@ -176,7 +176,7 @@ namespace whipple::stability
     Outcome outcome;
     outcome.directory = "stability_output/" + folder + "/run";
     std::filesystem::create_directories("stability_output/" + folder);
-    prepare_output_directory(outcome.directory, MPI_COMM_SELF);
+    prepare_output_directory(outcome.directory, EarlierRun::replaced, MPI_COMM_SELF);
     outcome.simulation =
         std::make_shared<Simulation<2>>(read_problem<2>(file, overrides), RunPlace{outcome.directory}, MPI_COMM_SELF);
     try

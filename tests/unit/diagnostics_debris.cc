@@ -177,7 +177,7 @@ namespace
                                                {"Mesh/Finest cell = 0.032 cm", "Output/Fields interval = none",
                                                    "Stages/List = perforation, debris", "Stages/perforation/End = 0.7 us",
                                                    "Stages/debris/End = for 0.5 us"});
-    const auto       simulation = start(problem, {"debris_output/run"}, MPI_COMM_SELF);
+    const auto       simulation = start(problem, {"debris_output/run"}, EarlierRun::replaced, MPI_COMM_SELF);
     simulation->run();
     const ResultTable &results = simulation->summary().results.at("debris");
     for (const char *by : {"angle", "velocity"})

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <numbers>
@@ -54,7 +55,8 @@ namespace
   run(const Problem<2> &scene)
   {
     const std::string directory = testing::TempDir() + "whipple_mesh_map_output";
-    prepare_output_directory(directory, MPI_COMM_SELF);
+    std::filesystem::remove_all(directory);
+    prepare_output_directory(directory, EarlierRun::replaced, MPI_COMM_SELF);
     auto simulation = std::make_unique<Simulation<2>>(scene, RunPlace{directory}, MPI_COMM_SELF);
     simulation->run();
     return simulation;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <whipple/error.h>
+#include <whipple/output/manifest.h>
 #include <whipple/output/output_directory.h>
 #include <whipple/output/process_use.h>
 #include <whipple/output/run_log.h>
@@ -125,21 +126,63 @@ namespace
   TEST_F(OutputText, DirectoryOfAnEarlierRunIsCleared)
   {
     const std::string run = (directory / "deep" / "run").string();
-    prepare_output_directory(run, MPI_COMM_SELF);
+    prepare_output_directory(run, EarlierRun::replaced, MPI_COMM_SELF);
+    EXPECT_THROW(prepare_output_directory(run, EarlierRun::refused, MPI_COMM_SELF), InputError);
+    // what the manifest lists goes, with folders that are empty then; what it does not list stays, wherever it is
     std::ofstream(run + "/summary.json") << "{}";
     std::ofstream(run + "/notes.txt") << "mine";
-    prepare_output_directory(run, MPI_COMM_SELF);
-    EXPECT_FALSE(fs::exists(run + "/summary.json"));
-    EXPECT_TRUE(fs::exists(run + "/notes.txt"));
+    for (const char *name : {"fields/fields-00000.h5", "gauges/a.csv", "../outside.txt"})
+      manifest::note(run, name);
+    fs::create_directories(run + "/fields");
+    fs::create_directories(run + "/gauges");
+    fs::create_directories(run + "/checkpoints/000001");
+    for (const char *name : {"/fields/fields-00000.h5", "/fields/mine.h5", "/gauges/a.csv",
+                             "/checkpoints/000001/rank.h5", "/../outside.txt"})
+      std::ofstream(run + name) << "data";
+    manifest::note(run, "error_estimate/cell=1/");
+    prepare_output_directory(run + "/error_estimate/cell=1", EarlierRun::refused, MPI_COMM_SELF);
+    std::ofstream(run + "/error_estimate/cell=1/mine.txt") << "mine";
+    prepare_output_directory(run, EarlierRun::replaced, MPI_COMM_SELF);
+    for (const char *name :
+         {"/summary.json", "/fields/fields-00000.h5", "/gauges", "/checkpoints", "/error_estimate/cell=1/log.txt"})
+      EXPECT_FALSE(fs::exists(run + name)) << name;
+    for (const char *name : {"/notes.txt", "/fields/mine.h5", "/../outside.txt", "/error_estimate/cell=1/mine.txt"})
+      EXPECT_TRUE(fs::exists(run + name)) << name;
+  }
+
+  TEST_F(OutputText, ARunWithoutAManifestIsNotReplaced)
+  {
+    const std::string run = (directory / "old").string();
+    prepare_output_directory(run, EarlierRun::refused, MPI_COMM_SELF);
+    fs::remove(run + "/manifest.txt");
+    EXPECT_THROW(prepare_output_directory(run, EarlierRun::replaced, MPI_COMM_SELF), InputError);
+    EXPECT_TRUE(fs::exists(run + "/log.txt"));
+  }
+
+  TEST_F(OutputText, ANewRunGoesBesideEarlierOnes)
+  {
+    const std::string run = (directory / "run").string();
+    EXPECT_EQ(free_output_directory(run), run);
+    prepare_output_directory(run, EarlierRun::refused, MPI_COMM_SELF);
+    EXPECT_EQ(free_output_directory(run), run + "-2");
+    EXPECT_EQ(free_output_directory(run + "/"), run + "-2");
+    fs::create_directories(run + "-2");
+    EXPECT_EQ(free_output_directory(run), run + "-2") << "an empty directory is free";
+    std::ofstream(run + "-2/notes.txt") << "mine";
+    EXPECT_EQ(free_output_directory(run), run + "-3");
+    const auto lock = prepare_output_directory(run, EarlierRun::replaced, MPI_COMM_SELF);
+    EXPECT_TRUE(DirectoryLock::is_held(run));
+    EXPECT_EQ(free_output_directory(run), run) << "to be refused: another run is writing into it";
   }
 
   TEST_F(OutputText, ForeignDirectoryIsRefused)
   {
     std::ofstream(directory / "notes.txt") << "mine";
-    EXPECT_THROW(prepare_output_directory(directory.string(), MPI_COMM_SELF), InputError);
-    EXPECT_THROW(prepare_output_directory((directory / "notes.txt").string(), MPI_COMM_SELF), InputError);
+    EXPECT_THROW(prepare_output_directory(directory.string(), EarlierRun::replaced, MPI_COMM_SELF), InputError);
+    EXPECT_THROW(prepare_output_directory((directory / "notes.txt").string(), EarlierRun::replaced, MPI_COMM_SELF),
+                 InputError);
     std::ofstream(directory / "log.txt") << "of something else";
-    EXPECT_THROW(prepare_output_directory(directory.string(), MPI_COMM_SELF), InputError);
+    EXPECT_THROW(prepare_output_directory(directory.string(), EarlierRun::replaced, MPI_COMM_SELF), InputError);
     EXPECT_EQ(content("log.txt"), "of something else");
   }
 

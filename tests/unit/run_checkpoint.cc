@@ -131,7 +131,7 @@ namespace
   {
     const std::string directory = "checkpoint_output/" + name;
     fs::create_directories("checkpoint_output");
-    start(scene(), {directory}, MPI_COMM_SELF)->run();
+    start(scene(), {directory}, EarlierRun::replaced, MPI_COMM_SELF)->run();
     return directory;
   }
 

@@ -37,7 +37,7 @@ namespace
            " set Lower corner = 0 cm, 0 cm\n set Upper corner = 0.381 cm, 2.54 cm\n set Material = al\n"
            " set Velocity = 0 m/s, -200 m/s\n end\nend\nsubsection Stages\n set List = s\n subsection s\n"
            " set End = 60 us\n end\nend\n";
-    prepare_output_directory(directory, MPI_COMM_SELF);
+    prepare_output_directory(directory, EarlierRun::replaced, MPI_COMM_SELF);
     Simulation<2> simulation(read_problem<2>(file), RunPlace{directory}, MPI_COMM_SELF);
     simulation.run();
 

@@ -21,7 +21,7 @@ namespace whipple::verification
   {
     const std::string directory = "verification_output/" + folder;
     std::filesystem::create_directories("verification_output");
-    prepare_output_directory(directory, MPI_COMM_SELF);
+    prepare_output_directory(directory, EarlierRun::replaced, MPI_COMM_SELF);
     auto simulation = std::make_unique<Simulation<2>>(read_problem<2>(source_directory() + "/prm/" + scene, overrides),
                                                       RunPlace{directory}, MPI_COMM_SELF);
     simulation->run();

@@ -23,6 +23,10 @@ namespace whipple
     operator=(DirectoryLock &&other) noexcept;
     ~DirectoryLock();
 
+    /// Whether another process holds a directory, as far as one can see.
+    static bool
+    is_held(const std::string &directory);
+
     /// Name of the file, which does not make a directory one that is in use.
     static constexpr const char *file_name = ".lock";
 

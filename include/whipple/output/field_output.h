@@ -26,12 +26,18 @@ namespace whipple
   {
     int                      count = 0; ///< number of the next files
     std::vector<std::string> grids;     ///< XDMF grid of each time
+    std::vector<double>      shown;     ///< us, the times under which readers find them: each larger than the last
+
+    std::string stage;     ///< of the last state written
+    double      time = -1; ///< of the last state written, us
   };
 
-  /// Fields of a run for ParaView: DIR/fields.xdmf is the time series of the whole chain of stages,
-  /// DIR/fields/fields-NNNNN.h5 the data of one time. Elements are drawn where the nodes are (deformed in a
-  /// Lagrangian stage); cell fields are one value a cell (XDMF attributes on cells, single precision), velocity
-  /// sits on the nodes. Every rank writes its own nodes: those on the border of two ranks are there twice.
+  /// Fields of a run for ParaView: DIR/fields.xdmf (of VTU files DIR/fields.pvd) is the time series of the whole chain
+  /// of stages, DIR/fields/fields-NNNNN.h5 (.vtu) the data of one time. A hand-over has two states at one time; readers
+  /// need distinct ones, so the later is shown a billionth of the time later. Files hold the true time.
+  /// Elements are drawn where the nodes are (deformed in a Lagrangian stage); cell fields are one value a cell (XDMF
+  /// attributes on cells, single precision), velocity sits on the nodes. Every rank writes its own nodes: those on the
+  /// border of two ranks are there twice.
   ///
   /// HDF5 goes through deal.II's HDF5 interface and not through DataOutInterface::write_hdf5_parallel: that one
   /// stores each value once a corner and in double precision (eight times the bytes) and crashes on ranks
@@ -46,7 +52,7 @@ namespace whipple
                 MPI_Comm communicator, ExtraFields<dim> extra = {});
 
     /// Write owned cells of the state at state.time under the name of its stage, and the series. Collective.
-    /// Nothing is written where no rank has a cell to show.
+    /// Nothing is written where no rank has a cell to show, or if it is the state written last: same stage and time.
     void
     write(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived, std::string_view stage);
 
@@ -71,6 +77,17 @@ namespace whipple
     }
 
   private:
+    /// The time under which readers find a state of this time, us: later than that of the state before, by as little as
+    /// they can tell apart.
+    double
+    shown_time(double time) const;
+    /// Its folder is there, and the manifest lists it.
+    void
+    make_room_for(const std::string &name);
+    /// DIR/fields.pvd: times and names of all VTU files.
+    void
+    write_record() const;
+
     std::string              directory_;
     std::vector<std::string> material_names_;
     FieldOutputOptions       options_;

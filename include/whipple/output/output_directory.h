@@ -9,11 +9,25 @@
 
 namespace whipple
 {
-  /// Make `directory` ready for a new run: create it with its parents, or clear what an earlier run of Whipple
-  /// wrote into it (files this code does not write stay). Collective; only rank 0 touches the disk.
-  /// @throws InputError on every rank if it exists, is not empty and is not the output of a Whipple run
-  ///         (a Whipple log.txt is what marks one), if it cannot be created, or if another run is writing into it.
+  /// What becomes of a run that the directory of a new one holds.
+  enum class EarlierRun
+  {
+    refused,
+    replaced
+  };
+
+  /// Where a new run goes that shall keep earlier ones: the directory asked for, or if that holds a run, the first free
+  /// one of DIR-2, DIR-3 ... One that another process is writing into is returned as it is, to be refused.
+  std::string
+  free_output_directory(const std::string &asked);
+
+  /// Make `directory` ready for a new run: create it with its parents, or, where an earlier run shall be replaced,
+  /// remove what its manifest lists (other files stay). Collective; only rank 0 touches the disk.
+  /// @throws InputError on every rank if it exists, is not empty and is not the output of a Whipple run, is one that
+  /// stays
+  ///         (a Whipple log.txt is what marks one), has no manifest, if it cannot be created, or if another run is
+  ///         writing into it.
   /// @returns keeps others out; held by the first rank
   DirectoryLock
-  prepare_output_directory(const std::string &directory, MPI_Comm communicator);
+  prepare_output_directory(const std::string &directory, EarlierRun earlier, MPI_Comm communicator);
 } // namespace whipple

@@ -5,6 +5,7 @@
 #include <whipple/state/derived.h>
 #include <whipple/state/fields.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,6 +25,14 @@ namespace whipple
   struct Snapshot
   {
     static constexpr int corners = 1 << dim;
+
+    /// Corners in the order in which XDMF and VTK walk around a cell, as lexicographic numbers.
+    static constexpr std::array<int, corners> walk = [] {
+      if constexpr (dim == 2)
+        return std::array<int, corners>{{0, 1, 3, 2}};
+      else
+        return std::array<int, corners>{{0, 1, 3, 2, 4, 5, 7, 6}};
+    }();
 
     double                 time = 0;  ///< us
     std::vector<double>    position;  ///< [n_nodes * dim] cm

@@ -7,11 +7,12 @@
 
 #include <string>
 
-/// Snapshots as VTU through deal.II's writer: each cell is a patch with its own corners, so that a cell field is
-/// constant over it.
+/// Snapshots as VTU files (VTK's XML format for unstructured grids). deal.II's writer has data of points alone; here
+/// fields of cells are cell data, on nodes that cells share. Single precision, positions double; units in the names.
 namespace whipple::snapshot_vtu
 {
-  /// Write `path`, one file for all ranks. Collective.
+  /// Write `path`, one file for all ranks, a piece each. Collective.
+  /// @throws Error on all ranks if the disk refuses
   template <int dim>
   void
   write(const Snapshot<dim> &snapshot, const std::string &path, MPI_Comm communicator);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/output/output_directory.h>
 #include <whipple/run/simulation.h>
 
 #include <memory>
@@ -10,12 +11,12 @@
 /// Runs from the start and from their checkpoints.
 namespace whipple
 {
-  /// A run from its first stage on: the directory is prepared (an earlier run in it is cleared) and parameters.prm
+  /// A run from its first stage on: the directory is prepared and parameters.prm
   /// written. Collective.
   /// @throws InputError if the directory cannot be used
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  start(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator);
+  start(const Problem<dim> &problem, RunPlace place, EarlierRun earlier, MPI_Comm communicator);
 
   /// A run from the newest sound checkpoint in its directory, or from the start if it had not come to one. Checkpoints
   /// that are damaged are named in the log. Collective.
@@ -23,7 +24,7 @@ namespace whipple
   ///         what may change
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  go_on(const Problem<dim> &problem, const RunPlace &place, MPI_Comm communicator);
+  go_on(const Problem<dim> &problem, RunPlace place, MPI_Comm communicator);
 
   /// A parameter whose value in force is another than it was.
   struct ChangedParameter

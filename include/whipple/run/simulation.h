@@ -10,6 +10,7 @@
 #include <whipple/run/reporter.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,8 @@ namespace whipple
     std::string directory;          ///< of the output, prepared
     bool        live       = false; ///< refresh the progress line on the terminal in place
     double      wall_start = 0;     ///< MPI_Wtime from which a wall time limit counts
+
+    std::shared_ptr<const DirectoryLock> lock = {}; ///< keeps others out of the directory for as long as the run lives
   };
 
   /// A run: the chain of a scene's stages from first contact to the wall, with its output directory.
@@ -35,13 +38,6 @@ namespace whipple
     /// @throws checkpoint::Unusable if the fields cannot be read
     Simulation(const Problem<dim> &problem, const RunPlace &place, const std::string &checkpoint,
                const RunBooks<dim> &books, MPI_Comm communicator);
-
-    /// Keep others out of the output directory for as long as the run lives.
-    void
-    hold(DirectoryLock lock)
-    {
-      lock_ = std::move(lock);
-    }
 
     /// Run all stages that are left. summary.json is written in any case.
     /// @throws StateError where physics or numerics stopped the run; the last good state is on disk.
@@ -104,7 +100,8 @@ namespace whipple
     void
     stopped(const Stage &stage, const StateError &error);
 
-    DirectoryLock      lock_; // the last to go
+    std::shared_ptr<const DirectoryLock> lock_; // the last to go
+
     Problem<dim>       problem_;
     const Scene<dim>  &scene_;
     const FieldLayout &layout_;

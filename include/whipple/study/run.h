@@ -14,6 +14,7 @@ namespace whipple
     std::string              scene_file;             ///< the .prm
     std::vector<std::string> overrides;              ///< "Section/Sub/Name = value", later ones win
     std::string              output_directory;       ///< never empty: `output/<scene stem>` unless given
+    bool                     overwrite      = false; ///< replace an earlier run in output_directory
     bool                     resume         = false; ///< go on with the run in output_directory
     bool                     validate_only  = false; ///< read and check the scene, compute and write nothing
     bool                     effects_report = false; ///< print which effects matter, compute and write nothing
