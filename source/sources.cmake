@@ -219,6 +219,7 @@ set(WHIPPLE_DEALII
     source/output/snapshot_vtu.cc
     source/output/step_table.cc
     source/output/summary.cc
+    source/output/time_left.cc
     source/problem/field_layout.cc
     source/problem/level_need.cc
     source/run/arrivals.cc

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -38,7 +39,7 @@ namespace whipple
     }
 
     std::string
-    progress_line(const Progress &p, double wall_seconds)
+    progress_line(const Progress &p)
     {
       std::array<char, 160> numbers;
       std::snprintf(numbers.data(), numbers.size(), ": step %ld, t = %.6g us, dt = %.3e us (", p.step, p.time,
@@ -51,11 +52,31 @@ namespace whipple
         {
           std::snprintf(numbers.data(), numbers.size(), ", %.1f %%", 100. * p.fraction);
           text += numbers.data();
-          // the first per cent tells too little to foretell the rest
-          if (p.fraction > 0.01)
-            text += ", " + duration(wall_seconds * (1. - p.fraction) / p.fraction) + " left";
+          if (std::isfinite(p.run_left))
+            text += ", " + duration(p.run_left) + " left";
+          else if (std::isfinite(p.stage_left))
+            text += ", " + duration(p.stage_left) + " left of this stage";
         }
       return text;
+    }
+
+    /// "[########------------] " as far as the stage is done
+    std::string
+    progress_bar(double fraction)
+    {
+      constexpr int width = 20;
+      if (!std::isfinite(fraction))
+        return "";
+      const int done = static_cast<int>(std::lround(width * std::clamp(fraction, 0., 1.)));
+      return '[' + std::string(done, '#') + std::string(width - done, '-') + "] ";
+    }
+
+    /// Whether the user has said that he wants no colour on his terminal (https://no-color.org).
+    bool
+    wants_colour()
+    {
+      const char *refused = std::getenv("NO_COLOR");
+      return !refused || !*refused;
     }
   } // namespace
 
@@ -96,6 +117,12 @@ namespace whipple
   void
   RunLog::line(std::string_view text)
   {
+    line(text, text);
+  }
+
+  void
+  RunLog::line(std::string_view text, std::string_view on_terminal)
+  {
     file_ << text << '\n' << std::flush;
     if (live_width_ > 0)
       {
@@ -103,7 +130,7 @@ namespace whipple
         terminal_ << '\r' << std::string(live_width_, ' ') << '\r';
         live_width_ = 0;
       }
-    terminal_ << text << '\n' << std::flush;
+    terminal_ << on_terminal << '\n' << std::flush;
   }
 
   void
@@ -136,7 +163,8 @@ namespace whipple
     if (!active_)
       return;
     ++warnings_;
-    line("warning: " + std::string(text));
+    const std::string plain = "warning: " + std::string(text), yellow = "\033[33mwarning:\033[0m " + std::string(text);
+    line(plain, live_ && wants_colour() ? yellow : plain);
   }
 
   void
@@ -147,7 +175,7 @@ namespace whipple
     const double now = wall_seconds();
     if (now < std::min(next_terminal_, next_file_))
       return;
-    const std::string text = progress_line(progress, now);
+    const std::string text = progress_line(progress);
     if (now >= next_file_)
       {
         file_ << text << '\n' << std::flush;
@@ -159,8 +187,9 @@ namespace whipple
     if (live_)
       {
         // spaces cover what a longer line left behind
-        terminal_ << '\r' << text << std::string(live_width_ - std::min(live_width_, text.size()), ' ') << std::flush;
-        live_width_ = text.size();
+        const std::string shown = progress_bar(progress.fraction) + text;
+        terminal_ << '\r' << shown << std::string(live_width_ - std::min(live_width_, shown.size()), ' ') << std::flush;
+        live_width_ = shown.size();
       }
     else
       terminal_ << text << '\n' << std::flush;

@@ -34,6 +34,42 @@ namespace whipple::sections
       return true;
     }
 
+    /// Whether another of these bodies may fill what a body leaves free of its cells.
+    template <int dim>
+    bool
+    adjoins_another(const Scene<dim> &scene, const std::vector<std::size_t> &bodies, std::size_t body)
+    {
+      const Box<dim> box = extent(scene.bodies[body].shape);
+      return std::any_of(bodies.begin(), bodies.end(), [&](std::size_t other) {
+        const Box<dim> around = extent(scene.bodies[other].shape);
+        bool           meets  = other != body;
+        for (int d = 0; d < dim; ++d)
+          meets = meets && around.lower[d] <= box.upper[d] + scene.lattice.spacing &&
+                  around.upper[d] >= box.lower[d] - scene.lattice.spacing;
+        return meets;
+      });
+    }
+
+    /// Elements that are filled in part at the start need pores to put the rest into.
+    template <int dim>
+    void
+    check_first_elements(SceneParameters &parameters, const Problem<dim> &problem, const Stage &stage)
+    {
+      const Scene<dim> &scene = problem.scene;
+      for (const std::size_t b : stage.introduces)
+        {
+          const Body<dim> &body = scene.bodies[b];
+          if (!problem.materials[body.material].model.void_law && scene.mesh_map == MeshMap::identity &&
+              !lies_on_mesh_lines(scene, body) && !adjoins_another(scene, stage.introduces, b))
+            SceneSection(parameters, "Materials/" + scene.materials[body.material].name)
+                .reject("Void law", "body '" + body.name +
+                                        "' fills cells of the moving mesh in part at the start of stage '" +
+                                        stage.name +
+                                        "': needed are a void law and the effect 'voids' (Effects/List), or a box "
+                                        "whose sides lie on lines of the finest mesh");
+        }
+    }
+
     /// Whether the cells that these bodies have filled may all be full still.
     template <int dim>
     bool
@@ -71,6 +107,8 @@ namespace whipple::sections
                       "no material has the void law 'rate' and the effect 'voids' (Effects/List); allowed then is "
                       "'as the materials say'");
         entered.insert(entered.end(), stage.introduces.begin(), stage.introduces.end());
+        if (s == 0 && stage.mode() == StageMode::lagrangian)
+          check_first_elements(parameters, problem, stage);
         if (s == 0 || stage.mode() != StageMode::lagrangian || scene.stages[s - 1].mode() != StageMode::eulerian ||
             stage.lagrangian->debris.void_cutoff < round_off_share || can_be_full(scene, entered))
           continue;

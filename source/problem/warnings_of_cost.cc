@@ -82,7 +82,8 @@ namespace whipple
         const double steps = std::isfinite(time) && signal > 0 ? time / dt : 0.;
         result.cells       = std::max(result.cells, cells);
         result.steps += steps;
-        result.seconds += steps * cells * (eulerian ? eulerian_seconds : lagrangian_seconds);
+        result.stage_seconds.push_back(steps * cells * (eulerian ? eulerian_seconds : lagrangian_seconds));
+        result.seconds += result.stage_seconds.back();
       }
     result.bytes = program_bytes + bytes_per_cell * result.cells;
     return result;

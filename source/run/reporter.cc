@@ -68,6 +68,7 @@ namespace whipple
               [&layout = layout_](const State<dim> &state, const std::vector<Index> &cells) {
                 return phase_fields(layout, state, cells);
               })
+    , time_left_(estimate_cost(problem).stage_seconds)
   {
     begin_watches(communicator, resumed);
     log_.banner();
@@ -167,6 +168,7 @@ namespace whipple
   Reporter<dim>::stage_begins(const Stage &stage, RunState<dim> &run)
   {
     const double time = run.domain.state.time;
+    time_left_.begin(run.books.stage, log_.wall_seconds());
     log_.info(format("stage %zu: %s (%s) from %.6g us", run.books.stage + 1, stage.name.c_str(),
                      stage.mode() == StageMode::eulerian ? "eulerian" : "lagrangian", time));
     write_fields(stage, run);
@@ -218,13 +220,16 @@ namespace whipple
     const double    time   = run.domain.state.time;
     ReportProgress &report = run.books.report;
     Progress        progress;
-    progress.stage     = news.stage->name;
-    progress.step      = news.step;
-    progress.time      = time;
-    progress.time_step = news.dt;
-    progress.limiter   = news.limit->reason;
-    progress.cells     = news.cells;
-    progress.fraction  = news.fraction;
+    progress.stage      = news.stage->name;
+    progress.step       = news.step;
+    progress.time       = time;
+    progress.time_step  = news.dt;
+    progress.limiter    = news.limit->reason;
+    progress.cells      = news.cells;
+    progress.fraction   = news.fraction;
+    const auto left     = time_left_.at(news.fraction, log_.wall_seconds());
+    progress.stage_left = left.of_stage;
+    progress.run_left   = left.of_run;
     log_.progress(progress);
 
     if (time >= report.next_statistics)

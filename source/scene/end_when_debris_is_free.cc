@@ -40,36 +40,38 @@ namespace whipple
       Left
       time_left(const StageView &stage, std::vector<double> &memory) const override
       {
-        const double past = stage.time() - stage.start();
         if (memory.empty())
+          memory = {std::min(velocity_, debris_share * stage.fastest())};
+        const double past = stage.time() - stage.start(), least = memory[0];
+        if (memory.size() == 1)
           {
             // until something has come through, look at every step
             const double fastest = stage.fastest();
-            if (past > 0 && fastest < velocity_)
+            if (past > 0 && fastest < least)
               return {0., stage.time(),
                       "nothing has come through '" + name_ + "': after " + std::to_string(past) +
-                          " us nothing is faster than " + std::to_string(fastest) +
-                          " cm/us, a tenth of the fastest body is " + std::to_string(velocity_)};
-            const double step = stage.finest_cell() / std::max(fastest, velocity_);
-            if (!(past > 0) || !(stage.beyond(rear_, velocity_).momentum > 0))
+                          " us nothing is faster than " + std::to_string(fastest) + " cm/us, a tenth of what came is " +
+                          std::to_string(least)};
+            const double step = stage.finest_cell() / std::max(fastest, least);
+            if (!(past > 0) || !(stage.beyond(rear_, least).momentum > 0))
               return {step, stage.time() + 10. * step};
-            memory = {past * growth, 0., 0., 0., 0.};
+            memory = {least, past * growth, 0., 0., 0., 0.};
           }
-        if (past < memory[0] * (1. - 1e-9))
-          return {memory[0] - past, stage.time() + memory[0] - past};
-        const double momentum = stage.beyond(rear_, velocity_).momentum;
-        const double all      = stage.beyond(-std::numeric_limits<double>::infinity(), velocity_).momentum;
+        if (past < memory[1] * (1. - 1e-9))
+          return {memory[1] - past, stage.time() + memory[1] - past};
+        const double momentum = stage.beyond(rear_, least).momentum;
+        const double all      = stage.beyond(-std::numeric_limits<double>::infinity(), least).momentum;
         if (!(all > 0))
           return {0., stage.time(),
                   "nothing flies on from '" + name_ + "': after " + std::to_string(past) +
-                      " us nothing in the domain is faster than " + std::to_string(velocity_) + " cm/us"};
-        if (memory[4] == 0 && momentum >= 0.5 * all)
-          memory[4] = past;
-        const bool through = memory[4] > 0;
-        const bool quiet   = through && memory[2] > 0 && std::abs(momentum - memory[2]) <= share * momentum;
-        memory             = {memory[0] * growth, quiet ? memory[1] + 1. : 0., memory[3], momentum, memory[4]};
-        const bool come    = stage.coming(velocity_) <= share_still_coming * all;
-        if ((come && memory[1] >= 2.) || (through && past >= longest * memory[4]))
+                      " us nothing in the domain is faster than " + std::to_string(least) + " cm/us"};
+        if (memory[5] == 0 && momentum >= 0.5 * all)
+          memory[5] = past;
+        const bool through = memory[5] > 0;
+        const bool quiet   = through && memory[3] > 0 && std::abs(momentum - memory[3]) <= share * momentum;
+        memory             = {least, memory[1] * growth, quiet ? memory[2] + 1. : 0., memory[4], momentum, memory[5]};
+        const bool come    = stage.coming(least) <= share_still_coming * all;
+        if ((come && memory[2] >= 2.) || (through && past >= longest * memory[5]))
           return {0., stage.time()};
         if (through && std::isfinite(next_front_))
           {
@@ -77,9 +79,9 @@ namespace whipple
             const double gap = next_front_ - stage.foremost() - safe_cells * stage.finest_cell();
             if (gap <= 0)
               return {0., stage.time()};
-            memory[0] = std::min(memory[0], past + std::max(gap, stage.finest_cell()) / stage.fastest());
+            memory[1] = std::min(memory[1], past + std::max(gap, stage.finest_cell()) / stage.fastest());
           }
-        return {memory[0] - past, stage.time() + memory[0] - past};
+        return {memory[1] - past, stage.time() + memory[1] - past};
       }
 
     private:
@@ -90,7 +92,7 @@ namespace whipple
       std::string name_;
       double      rear_;       ///< of the plate, cm
       double      next_front_; ///< face of the nearest body beyond it, cm
-      double      velocity_;   ///< least one of debris, cm/us
+      double      velocity_;   ///< a share of the fastest body's, cm/us
     };
 
     const StageEndRegistration

@@ -105,13 +105,13 @@ namespace whipple
         method.excluded = "the errors of its coarse runs do not shrink (" + now.verdict + ")";
         return method;
       }
-    const CostLaw cost = fit_cost(costs);
+    method.cost = fit_cost(costs);
     for (std::size_t i = 0; i < plan.points.size(); ++i)
       {
         const StudyPoint &point = plan.points[i];
         if (method_name(plan.section, point.choice) != label)
           continue;
-        CellForecast row{i, point.cell, now.law(point.cell), cost.seconds(point.cell), false};
+        CellForecast row{i, point.cell, now.law(point.cell), method.cost.seconds(point.cell), false};
         for (const PointOutcome &outcome : coarse)
           if (outcome.point == point)
             {

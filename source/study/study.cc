@@ -49,6 +49,32 @@ namespace whipple
       return result;
     }
 
+    /// A study that has not done what it was asked for ends as its runs did: stopped by physics or numerics, or
+    /// otherwise.
+    void
+    require_success(const report::StudyReport &result)
+    {
+      const std::string page          = result.options.output_directory + "/study.md";
+      const auto        is_incomplete = [](const PointOutcome &outcome) { return !outcome.record.completed(); };
+      const auto        number        = std::count_if(result.outcomes.begin(), result.outcomes.end(), is_incomplete);
+      if (number > 0)
+        {
+          const PointOutcome &first   = *std::find_if(result.outcomes.begin(), result.outcomes.end(), is_incomplete);
+          const std::string   message = std::to_string(number) + " of " + std::to_string(result.outcomes.size()) +
+                                      " points of the study did not complete, " + first.point.label + ": " +
+                                      first.record.reason + " (" + page + ")";
+          const bool all_stopped = std::all_of(result.outcomes.begin(), result.outcomes.end(), [](const auto &outcome) {
+            return outcome.record.completed() || outcome.record.status == "stopped";
+          });
+          if (all_stopped)
+            throw StateError(message);
+          throw Error(message);
+        }
+      if (result.tolerance && !result.tolerance->reached)
+        throw Error("the tolerance of " + show_error(result.tolerance->tolerance, result.tolerance->tolerance.amount) +
+                    " is not reached (" + page + ")");
+    }
+
     void
     list_points(const StudyPlan &plan, std::ostream &output)
     {
@@ -83,8 +109,6 @@ namespace whipple
     result.analysis = analyse(result.plan, result.outcomes);
     report::write(result);
     output << "written: " << options.output_directory << "/study.md, study.csv, study.json\n" << std::flush;
-    if (std::none_of(result.outcomes.begin(), result.outcomes.end(),
-                     [](const PointOutcome &outcome) { return outcome.record.completed(); }))
-      throw Error("no point of the study completed; " + options.output_directory + "/study.md says why");
+    require_success(result);
   }
 } // namespace whipple

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace whipple
@@ -85,6 +86,15 @@ namespace whipple
              expectation(verdict.tolerance, *best) + '.';
     }
 
+    /// The cells that a method would need, by its law of error.
+    std::string
+    what_would_reach(const MethodForecast &method, const Tolerance &tolerance)
+    {
+      const double cell = std::pow(tolerance.amount / method.error.factor, 1. / method.error.exponent);
+      return "By its law of error it would take cells of " + digits(cell, 2) + " cm, about " +
+             duration(method.cost.seconds(cell)) + ".";
+    }
+
     std::string
     nothing_reaches(const ToleranceVerdict &verdict)
     {
@@ -94,7 +104,8 @@ namespace whipple
           text += "\n" + method.label + ": " + method.excluded;
         else if (!method.rows.empty())
           text += "\n" + method.label + ": the finest, " + units::format(method.rows.back().cell, units::length) +
-                  ", promises " + expectation(verdict.tolerance, method.rows.back()) + '.';
+                  ", promises " + expectation(verdict.tolerance, method.rows.back()) + ". " +
+                  what_would_reach(method, verdict.tolerance);
       return text;
     }
 
@@ -118,6 +129,7 @@ namespace whipple
           return;
         }
       verdict.final_error   = now.error;
+      verdict.reached       = now.error <= tolerance.amount;
       verdict.final_seconds = last.record.cost.wall_s;
       const double value    = *value_of(last.record, tolerance.quantity);
       if (!tolerance.quantity.exact)
@@ -128,7 +140,7 @@ namespace whipple
           "\nTime: " + duration(verdict.final_seconds) + ", forecast " + duration(verdict.chosen.seconds) + ": " +
           off_by(verdict.final_seconds, verdict.chosen.seconds) + "\nThe tolerance of " +
           show_error(tolerance, tolerance.amount) +
-          (now.error <= tolerance.amount ? " is reached." : " is missed: ask again, this run now counts.");
+          (verdict.reached ? " is reached." : " is missed: ask again, this run now counts.");
     }
 
     void
@@ -148,6 +160,7 @@ namespace whipple
       if (verdict.chosen.computed)
         {
           verdict.conclusion += "\nIt has run already.";
+          verdict.reached = true;
           verdict.method.reset();
         }
       else if (verdict.chosen.seconds > left)

@@ -31,6 +31,15 @@ rejects() {
   refuses "$words" "$program" study "$@"
 }
 
+# A study of which two points stop says which, in one line, and ends as they did.
+stops() {
+  status=0
+  "$program" study failing.prm "$@" >out.txt 2>err.txt || status=$?
+  [ "$status" -eq 3 ] && [ "$(wc -l <err.txt)" -eq 1 ] &&
+    grep -q '^whipple: stopped: 2 of 4 points of the study did not complete, cell=0.064cm,other=3: ' err.txt ||
+    { echo "status $status"; cat err.txt; exit 1; }
+}
+
 rm -rf ./*.prm output mine
 study failing.prm 'Numerics/Inject failure at step' 'none | 3'
 study misspelt.prm 'Numerics/Remap ordr' '2 | 1'
@@ -56,7 +65,7 @@ wait $! || true
 rm -f 'output/failing/points/cell=0.032cm,other=3/summary.json'
 
 # goes on with the rest; a point that stops is a row with its reason
-"$program" study failing.prm >out.txt
+stops
 grep -q 'of 4 points are there already' out.txt || { cat out.txt; exit 1; }
 grep -q 'stopped: ' out.txt || { cat out.txt; exit 1; }
 for file in study.md study.csv study.json; do
@@ -69,11 +78,24 @@ grep -q 'bumper hole diameter' output/failing/study.md || { cat output/failing/s
 grep -q '## Points without a result' output/failing/study.md || { cat output/failing/study.md; exit 1; }
 
 # a third time nothing is run; what has changed since is run anew, and only that
-"$program" study failing.prm >out.txt
+stops
 grep -q '4 of 4 points are there already' out.txt || { cat out.txt; exit 1; }
 ! grep -q 'done in' out.txt || { cat out.txt; exit 1; }
-"$program" study failing.prm --set 'Numerics/Courant number = 0.4' >out.txt
+stops --set 'Numerics/Courant number = 0.4'
 ! grep -q 'there already' out.txt || { cat out.txt; exit 1; }
+
+# a point that is killed is no success either
+study killed.prm 'Numerics/Remap order' '2 | 1'
+"$program" study killed.prm --set 'Stages/perforation/End = 40 us' >out.txt 2>err.txt &
+study=$!
+for _ in $(seq 600); do
+  point=$(pgrep -P $study | head -n 1) && [ -n "$point" ] && break
+  sleep 0.05
+done
+kill -9 "$point"
+status=0
+wait $study || status=$?
+[ "$status" -eq 1 ] && grep -q 'points of the study did not complete, .*signal 9' err.txt || { echo "status $status"; cat err.txt; exit 1; }
 
 # another study keeps out
 study other.prm 'Numerics/Remap order' '2 | 1'

@@ -12,7 +12,9 @@ cells='Mesh/Finest cell = 0.008 cm'
 set -- --set "$first" --set "$short" --set "$cells" --set 'Output/Fields interval = none'
 scene=$source/prm/whipple_shield.prm
 
-"$program" study "$scene" "$@" --tolerance 'bumper crater depth = 0.0001 %' --budget '1 s' >out.txt
+status=0
+"$program" study "$scene" "$@" --tolerance 'bumper crater depth = 0.0001 %' --budget '1 s' >out.txt 2>err.txt || status=$?
+[ "$status" -eq 1 ] && grep -q '^whipple: the tolerance of 0.0001 % is not reached' err.txt || { cat err.txt; exit 1; }
 grep -q '| cell size | expected error | expected time |' out.txt || { cat out.txt; exit 1; }
 grep -Eq 'does not fit what is left of the budget|No cell size to choose from' out.txt || { cat out.txt; exit 1; }
 

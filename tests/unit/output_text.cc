@@ -5,6 +5,7 @@
 #include <whipple/output/process_use.h>
 #include <whipple/output/run_log.h>
 #include <whipple/output/step_table.h>
+#include <whipple/output/time_left.h>
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,53 @@ namespace
     EXPECT_EQ(text.find('\r'), std::string::npos);
     EXPECT_EQ(text.find("perforation: step 12, t = 0.5 us, dt = 1.000e-03 us (sound speed), 4711 cells, 25.0 %"), 0u);
     EXPECT_EQ(text.find('\n'), text.size() - 1);
+  }
+
+  TEST(TimeLeft, IsThatOfTheWholeRun)
+  {
+    // stages take ten times what was expected: 20, 10 and 50 s
+    TimeLeft left({2., 1., 5.});
+    left.begin(0, 100.);
+    EXPECT_TRUE(std::isnan(left.at(0.001, 100.02).of_run));
+    EXPECT_NEAR(left.at(0.25, 105.).of_stage, 15., 1e-12);
+    EXPECT_NEAR(left.at(0.25, 105.).of_run, 75., 1e-12);
+    left.begin(1, 120.);
+    EXPECT_NEAR(left.at(0.5, 125.).of_run, 55., 1e-12);
+    left.begin(2, 130.);
+    EXPECT_NEAR(left.at(0.1, 135.).of_run, 45., 1e-12);
+  }
+
+  TEST(TimeLeft, OfStagesWhoseEndIsUnknownIsNotGuessed)
+  {
+    TimeLeft left({2., 0.});
+    left.begin(0, 0.);
+    EXPECT_NEAR(left.at(0.25, 5.).of_stage, 15., 1e-12);
+    EXPECT_TRUE(std::isnan(left.at(0.25, 5.).of_run));
+    left.begin(1, 20.);
+    EXPECT_NEAR(left.at(0.5, 21.).of_run, 1., 1e-12);
+    // a run that goes on in its second stage knows what that one tells
+    TimeLeft resumed({2., 1., 4.});
+    resumed.begin(1, 0.);
+    EXPECT_NEAR(resumed.at(0.5, 3.).of_run, 3. + 24., 1e-12);
+  }
+
+  TEST_F(OutputText, ATerminalHasABarAndWarningsInColour)
+  {
+    std::ostringstream terminal;
+    unsetenv("NO_COLOR");
+    {
+      RunLog log(directory.string(), MPI_COMM_SELF, terminal, true, 0.);
+      log.progress({"perforation", 1, 0.5, 1e-3, "sound", 100, 0.25, 10., 75.});
+      log.warning("thin ice");
+      setenv("NO_COLOR", "1", 1);
+      log.warning("thinner ice");
+    }
+    unsetenv("NO_COLOR");
+    EXPECT_NE(terminal.str().find("\r[#####---------------] perforation: step 1"), std::string::npos);
+    EXPECT_NE(terminal.str().find("25.0 %, 1 min 15 s left"), std::string::npos) << terminal.str();
+    EXPECT_NE(terminal.str().find("\033[33mwarning:\033[0m thin ice\n"), std::string::npos);
+    EXPECT_NE(terminal.str().find("warning: thinner ice\n"), std::string::npos);
+    EXPECT_NE(content("log.txt").find("warning: thin ice\n"), std::string::npos);
   }
 
   TEST_F(OutputText, ProgressIsRefreshedInPlaceOnATerminal)

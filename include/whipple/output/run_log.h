@@ -21,8 +21,10 @@ namespace whipple
     double           time_step = 0; ///< us
     std::string_view limiter;       ///< what sets the time step
     long             cells = 0;     ///< active cells of all ranks
-    /// Share of the run (or of the stage) that is done, 0 .. 1; not a number when it cannot be told.
+    /// Share of the stage that is done, 0 .. 1; not a number when it cannot be told.
     double fraction = std::numeric_limits<double>::quiet_NaN();
+    /// Wall seconds that the stage and the whole run will still take; not a number when it cannot be told.
+    double stage_left = std::numeric_limits<double>::quiet_NaN(), run_left = std::numeric_limits<double>::quiet_NaN();
   };
 
   /// What a run says: to DIR/log.txt and to the terminal, from rank 0; on the other ranks every call is free.
@@ -96,6 +98,9 @@ namespace whipple
 
     void
     line(std::string_view text);
+    /// With something else on the terminal.
+    void
+    line(std::string_view text, std::string_view on_terminal);
 
     bool              active_; ///< this is rank 0
     MPI_Comm          communicator_;

@@ -55,6 +55,8 @@ namespace whipple
     double steps   = 0; ///< of all stages
     double seconds = 0;
     double bytes   = 0;
+
+    std::vector<double> stage_seconds; ///< of each stage; 0 where its end cannot be foreseen
   };
 
   template <int dim>

@@ -5,6 +5,7 @@
 #include <whipple/output/field_output.h>
 #include <whipple/output/step_table.h>
 #include <whipple/output/summary.h>
+#include <whipple/output/time_left.h>
 #include <whipple/problem/problem.h>
 #include <whipple/run/run_state.h>
 #include <whipple/run/stage_news.h>
@@ -112,6 +113,7 @@ namespace whipple
     RunLog              log_;
     StepTable           statistics_;
     FieldOutput<dim>    fields_;
+    TimeLeft            time_left_;
 
     std::vector<Watching> watching_;
   };

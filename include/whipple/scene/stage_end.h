@@ -63,6 +63,9 @@ namespace whipple
   /// Share of the momentum along axis 1 that may still be coming when a stage ends.
   inline constexpr double share_still_coming = 0.01;
 
+  /// Velocity along the line of flight from which on something is debris that counts, as a share of the fastest.
+  inline constexpr double debris_share = 0.1;
+
   /// One way for a stage to end.
   class StageEnd
   {
@@ -121,7 +124,7 @@ namespace whipple
     double
     debris_velocity() const
     {
-      return 0.1 * largest_speed;
+      return debris_share * largest_speed;
     }
 
     /// A part of the text as a value in internal units. Throws InputError that names file, key and value.

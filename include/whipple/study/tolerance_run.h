@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <whipple/study/cost_law.h>
 #include <whipple/study/tolerance.h>
 
 #include <optional>
@@ -26,8 +27,9 @@ namespace whipple
     std::string               label;
     std::string               excluded; ///< why nothing can be expected of it, else empty
     convergence::PowerLaw     error;    ///< C h^p; error bars where there is no exact solution
-    std::string               verdict;  ///< of the coarse runs
-    std::vector<CellForecast> rows;     ///< coarse to fine, all that could be chosen
+    CostLaw                   cost;
+    std::string               verdict; ///< of the coarse runs
+    std::vector<CellForecast> rows;    ///< coarse to fine, all that could be chosen
   };
 
   /// Forecast and truth.
@@ -39,8 +41,9 @@ namespace whipple
     std::optional<std::size_t>  method;      ///< that was run; none if there was nothing to run
     CellForecast                chosen;      ///< the cheapest setting that reaches the tolerance, if one does
     std::optional<double>       final_error; ///< judged with the chosen run, as the tolerance; none if it did not run
-    double                      final_seconds = 0; ///< wall time of the chosen run
-    std::string                 conclusion;        ///< in words, one or more lines
+    double                      final_seconds = 0;     ///< wall time of the chosen run
+    bool                        reached       = false; ///< by a run that is there
+    std::string                 conclusion;            ///< in words, one or more lines
   };
 
   struct ToleranceOutcome
