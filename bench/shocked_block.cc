@@ -48,7 +48,7 @@ namespace whipple::bench
   CycleRun::CycleRun(const Problem<2> &problem, const FlatPartition<2> &view, State<2> state)
     : scene_(problem.scene)
     , state_(std::move(state))
-    , cycle_(scene_, scene_.stages[0], problem.layout, view.mesh, view.halo)
+    , cycle_(scene_, scene_.stages[0], problem.layout, view.mesh, view.halo, *phases_)
   {
     cycle_.refresh(state_, derived_);
   }

@@ -5,6 +5,7 @@
 #include <whipple/run/cycle.h>
 #include <whipple/run/domain.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,12 @@ namespace whipple::bench
     const Scene<2> &scene_;
     State<2>        state_;
     Derived         derived_;
-    Cycle<2>        cycle_;
-    Ledger<2>       ledger_;
-    double          last_dt_ = 0; ///< us; 0 before the first step
-    int             steps_   = 0;
+
+    std::unique_ptr<PhaseClock> phases_ = std::make_unique<PhaseClock>(); // the cycle may be moved with the rest
+    Cycle<2>                    cycle_;
+    Ledger<2>                   ledger_;
+    double                      last_dt_ = 0; ///< us; 0 before the first step
+    int                         steps_   = 0;
   };
 
   /// The scene bench/shocked_block.prm with some effects, as it is at the end of its stage.

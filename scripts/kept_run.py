@@ -26,7 +26,7 @@ def kept_run(build, directory, scene, settings):
     build: build directory. Errors: NoResult."""
     summary = summary_of(directory)
     if summary is None or summary["status"] != "completed":
-        command = [os.path.abspath(os.path.join(build, "whipple")), "run", os.path.join(ROOT, scene), "--output", directory]
+        command = [os.path.abspath(os.path.join(build, "whipple")), "run", os.path.join(ROOT, scene), "--output", directory, "--overwrite"]
         for setting in settings:
             command += ["--set", setting]
         result = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)

@@ -23,6 +23,18 @@ namespace whipple::summary
       return json;
     }
 
+    /// Phases and what is left of the time.
+    json::Json
+    phases_of(const Performance &performance)
+    {
+      std::map<std::string, double> all  = performance.phases;
+      double                        rest = performance.wall_s;
+      for (const auto &[phase, seconds] : performance.phases)
+        rest -= seconds;
+      all["everything else"] = rest;
+      return numbers(all);
+    }
+
     json::Json
     json_of(const Stage &stage)
     {
@@ -185,7 +197,8 @@ namespace whipple::summary
                                         {"cpu_s", json::value(performance.cpu_s)},
                                         {"peak_rss_bytes", json::value(performance.peak_rss_bytes)},
                                         {"ranks", performance.ranks},
-                                        {"active_cell_steps", json::value(performance.active_cell_steps)}}},
+                                        {"active_cell_steps", json::value(performance.active_cell_steps)},
+                                        {"phases", phases_of(performance)}}},
                                       {"effects", json_of(summary.effects)},
                                       {"counts",
                                        {{"retries", counts.retries},

@@ -123,7 +123,7 @@ namespace whipple
                                        cell_steps_per_s_per_rank, dt_limits)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Counts, retries, releases, breaks, rezones, warnings, events)
-    NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Performance, wall_s, cpu_s, peak_rss_bytes, ranks, active_cell_steps)
+    NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Performance, wall_s, cpu_s, peak_rss_bytes, ranks, active_cell_steps, phases)
     NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Summary, scene, stages, results, counts, performance)
   } // namespace summary
 

@@ -38,10 +38,11 @@ namespace whipple
 
   template <int dim>
   Cycle<dim>::Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
-                    const Halo<dim> &halo)
+                    const Halo<dim> &halo, PhaseClock &phases)
     : layout_(layout)
     , mesh_(mesh)
     , halo_(halo)
+    , phases_(phases)
     , lost_kinetic_energy_(stage.lost_kinetic_energy)
     , lagrange_(mesh, layout.materials, scene.boundaries, scene.numerics.hydro)
   {
@@ -181,14 +182,18 @@ namespace whipple
   {
     const MPI_Comm    communicator = halo_.communicator();
     LagrangeSums<dim> motion;
-    agree_in_parts(communicator, [&](const auto &meet) {
-      motion = lagrange_.advance(state, derived, dt, rigid);
-      run_passes(state, derived, dt, meet);
-    });
-    exchange(state);
+    {
+      const auto phase = phases_.phase("lagrange step");
+      agree_in_parts(communicator, [&](const auto &meet) {
+        motion = lagrange_.advance(state, derived, dt, rigid);
+        run_passes(state, derived, dt, meet);
+      });
+      exchange(state);
+    }
     RemapSums<dim> remap;
     if (remap_)
       {
+        const auto phase = phases_.phase("remap");
         remap_->begin(state);
         for (int i = 0; i < dim; ++i)
           {
@@ -200,6 +205,7 @@ namespace whipple
         agree(communicator, [&] { remap_->finish(state); });
         remap.collect(communicator);
       }
+    const auto phase = phases_.phase("equations of state");
     if (remap_ || effects_.pass.empty())
       lagrange_.evaluate_pressure(state, derived);
     else

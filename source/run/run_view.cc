@@ -134,10 +134,13 @@ namespace whipple
       values["kinetic energy"] = run_.present().kinetic_energy;
     for (const std::size_t plate : measured_plates(scene_, run_.books.stage))
       {
-        const std::string &name     = scene_.bodies[plate].name;
-        const auto         measure  = measure_plate(scene_, layout_, plate, mesh, domain.state, communicator);
-        values["hole of " + name]   = measure ? measure->hole_diameter : 0.;
-        values["crater of " + name] = measure ? measure->crater_depth : 0.;
+        const std::string &name      = scene_.bodies[plate].name;
+        const Box<dim>     entered   = extent(scene_.bodies[plate].shape);
+        const double       thickness = entered.upper[flight_axis<dim>] - entered.lower[flight_axis<dim>];
+        const auto         measure   = measure_plate(scene_, layout_, plate, mesh, domain.state, communicator);
+        values["hole of " + name]    = measure ? measure->hole_diameter : 0.;
+        values["dent of " + name]    = measure ? measure->crater_depth : 0.;
+        values["crater of " + name]  = measure ? std::max(0., thickness - measure->least_thickness) : 0.;
       }
     return values;
   }

@@ -125,6 +125,7 @@ namespace whipple
   void
   Simulation<dim>::measure(Look look)
   {
+    const auto             phase  = clock_.phases().phase("results");
     const Domain<dim>     &domain = state_.domain;
     const MeasureView<dim> view{problem_,
                                 std::min(state_.books.stage, scene_.stages.size() - 1),
@@ -146,6 +147,7 @@ namespace whipple
   void
   Simulation<dim>::enter()
   {
+    const auto                 phase   = clock_.phases().phase("hand-over");
     const std::size_t          number  = state_.books.stage;
     const Stage               &stage   = scene_.stages[number];
     Ledger<dim>               &ledger  = state_.books.ledger;
@@ -184,7 +186,7 @@ namespace whipple
     const FieldLayout layout = layout_.of_stage(stage);
     StageLoop<dim>    loop(
            scene_, layout, regridding_, handover_, stage, reporter_,
-           [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, last_good_);
+           [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, last_good_, clock_.phases());
     const std::optional<std::string> chain_over = loop.run();
     measure(&Measure<dim>::stage_ends);
     if (stage.plates_measured == PlatesMeasured::settled && plates_are_seen())
@@ -237,6 +239,7 @@ namespace whipple
   void
   Simulation<dim>::follow_plates(const Stage &stage, const FieldLayout &layout)
   {
+    const auto       phase = clock_.phases().phase_with_all("plates followed");
     const double     start = state_.books.summary.stages.back().start_us, end = state_.domain.state.time;
     constexpr double longest = 5.; // times what the stage has taken
     Stage            longer  = stage;
@@ -248,7 +251,7 @@ namespace whipple
     WarningsOnly<dim> news(reporter_.log());
     StageLoop<dim>    loop(
            scene_, layout, regridding_, handover_, longer, news,
-           [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, good);
+           [this] { checkpointing_.after_step(last_good_, reporter_); }, state_, good, clock_.phases());
     std::map<std::string, ResultTable> results;
     try
       {

@@ -31,7 +31,8 @@ namespace whipple
   template <int dim>
   StageLoop<dim>::StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
                             const Handover<dim> &handover, const Stage &stage, StageNews<dim> &news,
-                            std::function<void()> before_step, RunState<dim> &run, LastGood<dim> &last_good)
+                            std::function<void()> before_step, RunState<dim> &run, LastGood<dim> &last_good,
+                            PhaseClock &phases)
     : scene_(scene)
     , layout_(layout)
     , regridding_(regridding)
@@ -41,6 +42,7 @@ namespace whipple
     , before_step_(std::move(before_step))
     , run_(run)
     , last_good_(last_good)
+    , phases_(phases)
     , walls_(rigid_walls(scene))
     , state_guard_(scene, layout)
   {
@@ -52,9 +54,9 @@ namespace whipple
   {
     const Domain<dim>   &domain = run_.domain;
     const FlatMesh<dim> &mesh   = domain.view->mesh;
-    cycle_                      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo);
-    edge_cells_                 = Regridding<dim>::edge_cells(mesh);
-    cells_                      = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
+    cycle_      = std::make_unique<Cycle<dim>>(scene_, stage_, layout_, mesh, domain.view->halo, phases_);
+    edge_cells_ = Regridding<dim>::edge_cells(mesh);
+    cells_      = static_cast<long>(sum_over_ranks(mesh.n_owned, domain.communicator()));
     find_locked();
   }
 
@@ -62,6 +64,7 @@ namespace whipple
   void
   StageLoop<dim>::new_mesh()
   {
+    const auto phase = phases_.phase("regrid");
     use_mesh();
     cycle_->refresh(run_.domain.state, run_.domain.derived);
     run_.record().active_cells_max         = std::max(run_.record().active_cells_max, cells_);
@@ -74,6 +77,7 @@ namespace whipple
   void
   StageLoop<dim>::check(const std::string &event)
   {
+    const auto phase = phases_.phase("ledger");
     run_.books.ledger.check(run_.present(), event, round_off);
   }
 
@@ -81,6 +85,7 @@ namespace whipple
   void
   StageLoop<dim>::regrid()
   {
+    const auto phase = phases_.phase("regrid");
     run_.books.ledger.enter(Regridding<dim>::cause, regridding_.regrid(run_.domain, stage_.lost_kinetic_energy));
     new_mesh();
     check("a regrid");
@@ -97,6 +102,7 @@ namespace whipple
   void
   StageLoop<dim>::land_arrivals()
   {
+    const auto     phase = phases_.phase("arrival of debris");
     RunBooks<dim> &books = run_.books;
     const double   time  = run_.domain.state.time;
     if (!debris_comes() || time < books.progress.next_arrivals)
@@ -124,6 +130,7 @@ namespace whipple
   bool
   StageLoop<dim>::regrid_is_due()
   {
+    const auto     phase    = phases_.phase("regrid");
     StageProgress &progress = run_.books.progress;
     if (progress.since_regrid < scene_.mesh.regrid_steps)
       return false;
@@ -140,6 +147,7 @@ namespace whipple
   StageEnd::Left
   StageLoop<dim>::time_left()
   {
+    const auto           phase = phases_.phase("end of the stage");
     const StageEnd::Left left =
         stage_.end->time_left(RunView<dim>(scene_, layout_, run_), run_.books.progress.memory_of_end);
     run_.record().end_us = left.end;
@@ -150,7 +158,8 @@ namespace whipple
   void
   StageLoop<dim>::find_limit()
   {
-    limit_ = cycle_->time_step(run_.domain.state, run_.domain.derived, locked_);
+    const auto phase = phases_.phase("time step");
+    limit_           = cycle_->time_step(run_.domain.state, run_.domain.derived, locked_);
     if (!(limit_.dt > 0))
       throw StateError("stage '" + stage_.name + "' has no positive time step: " + std::to_string(limit_.dt) + " us (" +
                        limit_.reason + ")");
@@ -218,7 +227,8 @@ namespace whipple
     cycle_->advance(domain.state, domain.derived, dt, static_cast<int>(run_.record().steps % dim), rigid, ledger);
     if (stage_.mode() == StageMode::lagrangian && holds_pieces())
       refuse_folded();
-    auto present = run_.present();
+    const auto phase   = phases_.phase("ledger");
+    auto       present = run_.present();
     if (flight)
       present += flight->totals();
     ledger.check(present, "a step", round_off);
@@ -243,20 +253,28 @@ namespace whipple
     land_arrivals();
     if (!fly(left))
       step(left, nullptr);
-    news_.look(stage_, run_.domain.state.time - before, run_);
+    {
+      const auto phase = phases_.phase("output");
+      news_.look(stage_, run_.domain.state.time - before, run_);
+    }
     if (stage_.mode() == StageMode::eulerian)
       {
         if (regrid_is_due() || edge_touched())
           regrid();
       }
-    else if (!meet())
-      bonds_break();
+    else
+      {
+        const auto phase = phases_.phase("contact and breaking");
+        if (!meet())
+          bonds_break();
+      }
   }
 
   template <int dim>
   void
   StageLoop<dim>::go_back(const StateError &error)
   {
+    const auto phase = phases_.phase("going back");
     // of what failed, only that it did is kept: every retry is really smaller than that, until its time has passed
     const StageProgress failed   = run_.books.progress;
     const long          retries  = run_.books.summary.counts.retries;
@@ -289,6 +307,7 @@ namespace whipple
   void
   StageLoop<dim>::stand()
   {
+    const auto     phase    = phases_.phase("snapshots");
     StageProgress &progress = run_.books.progress;
     note_locked();
     if (run_.domain.state.time >= progress.failed_until)
@@ -366,7 +385,10 @@ namespace whipple
       record.finest_equivalent_cells = static_cast<long>(scene_.lattice.finest(0)) * scene_.lattice.finest(1);
     else
       record.elements = cells_;
-    news_.stage_begins(stage_, run_);
+    {
+      const auto phase = phases_.phase("output");
+      news_.stage_begins(stage_, run_);
+    }
     stand();
   }
 
@@ -390,7 +412,10 @@ namespace whipple
     StageEnd::Left left{};
     for (; (left = time_left()).time > 0; stop_if_collapsed())
       {
-        before_step_();
+        {
+          const auto phase = phases_.phase("checkpoints");
+          before_step_();
+        }
         try
           {
             advance(left.time);
@@ -409,6 +434,7 @@ namespace whipple
       run_.books.ledger.note("parts of debris still on its way at the end",
                              static_cast<double>(run_.books.waiting->parts.size()), run_.books.waiting->totals.mass,
                              "g");
+    const auto phase = phases_.phase("output");
     news_.stage_ends(stage_, run_);
     return left.chain_over;
   }

@@ -5,6 +5,7 @@
 #include <whipple/scene/units.h>
 
 #include <algorithm>
+#include <array>
 
 namespace whipple
 {
@@ -99,6 +100,24 @@ namespace whipple
       std::string section_;
     };
 
+    /// What an automatic list takes for all stages in which debris lands.
+    constexpr std::array landing_keys{"Representation", "Hand-over", "Fragment size", "Fragment rings"};
+
+    /// The keys that the section Stages sets for them. They are taken out of the statements.
+    Statements
+    take_landing(Statements &statements)
+    {
+      Statements taken;
+      for (const char *key : landing_keys)
+        if (const PrmStatement *found = find(statements, "Stages", key))
+          taken.push_back(*found);
+      std::erase_if(statements, [](const PrmStatement &statement) {
+        return statement.section == "Stages" &&
+               std::find(landing_keys.begin(), landing_keys.end(), statement.key) != landing_keys.end();
+      });
+      return taken;
+    }
+
     void
     append(std::string &list, const std::string &name)
     {
@@ -125,8 +144,9 @@ namespace whipple
     const std::vector<std::string> effects = listed(statements, "Effects");
     const bool has_sizes = std::find(effects.begin(), effects.end(), "fragment size") != effects.end();
 
-    Statements  chain;
-    std::string names;
+    const Statements landing = take_landing(statements);
+    Statements       chain;
+    std::string      names;
     for (std::size_t k = 0; k < plates.size(); ++k)
       {
         const bool        last   = k + 1 == plates.size();
@@ -140,7 +160,11 @@ namespace whipple
         if (!last)
           eulerian.set("Plates measured", "settled");
         if (k > 0)
-          eulerian.set("Representation", has_sizes ? "fragments" : "distended");
+          {
+            eulerian.set("Representation", has_sizes ? "fragments" : "distended");
+            for (const PrmStatement &statement : landing)
+              chain.push_back({statement.origin, "Stages/" + stage, statement.key, statement.value});
+          }
         if (last)
           break;
         append(names, "debris " + number);

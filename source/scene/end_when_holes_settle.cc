@@ -15,7 +15,8 @@ namespace whipple
     ///
     /// Looks are made at times t_n = growth^n t_0 after the start, t_0 the first step. The end is there when over the
     /// last `looks` looks (the last third of the time) none has changed by more than `share` of its largest value, nor
-    /// by more than half a finest cell (if that is below `small` of it), whichever is more. As long as there is no hole
+    /// by more than half a finest cell (if that is below `small` of it; of a crater, of the dent it lies in), whichever
+    /// is more. The dent itself may go on: a wall whose rim is free moves on as a whole. As long as there is no hole
     /// and no crater, kinetic energies are looked at instead: what meets a plate loses some. The memory holds the time
     /// of the next look, the number of values, and the last rows of values.
     class EndWhenHolesSettle : public StageEnd
@@ -64,6 +65,8 @@ namespace whipple
       static constexpr double      growth = 1.1, share = 0.02, cells = 0.5, small = 0.1, late = 0.02;
       static constexpr std::size_t looks = 5; // 1.1^4 = 1.46
 
+      static inline const std::string crater = "crater of ", dent = "dent of ";
+
       /// Kinetic energy, Mbar cm^3: what a crater's volume goes by.
       double
       on_its_way(const StageView &stage) const
@@ -78,7 +81,7 @@ namespace whipple
       static bool
       is_of_plate(const std::string &name)
       {
-        return name.starts_with("hole of ") || name.starts_with("crater of ");
+        return name.starts_with("hole of ") || name.starts_with(crater);
       }
 
       /// Add a row. @returns whether the last rows agree
@@ -102,7 +105,7 @@ namespace whipple
         });
         std::size_t i        = first;
         for (const auto &[name, value] : watched)
-          if (const std::size_t column = i++; is_of_plate(name) == has_hole)
+          if (const std::size_t column = i++; is_of_plate(name) == has_hole && !name.starts_with(dent))
             {
               double low = std::numeric_limits<double>::infinity(), high = -low;
               for (std::size_t k = column; k < memory.size(); k += n)
@@ -110,7 +113,8 @@ namespace whipple
                   low  = std::min(low, memory[k]);
                   high = std::max(high, memory[k]);
                 }
-              const double slack = has_hole ? std::min(cells * stage.finest_cell(), small * high) : 0.;
+              const double size  = name.starts_with(crater) ? watched.at(dent + name.substr(crater.size())) : high;
+              const double slack = has_hole ? std::min(cells * stage.finest_cell(), small * size) : 0.;
               if (high - low > std::max(share * high, slack))
                 return false;
             }

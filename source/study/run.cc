@@ -10,6 +10,7 @@
 #include <whipple/study/error_estimate.h>
 #include <whipple/study/run.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 
@@ -82,7 +83,10 @@ namespace whipple
         std::cout << ", about " << rounded(estimate.steps) << " steps of at most " << rounded(estimate.cells)
                   << " cells: " << duration(estimate.seconds) << " of one core, " << rounded(1e-6 * estimate.bytes)
                   << " MB";
-      std::cout << " (within a factor of 3)" << std::endl;
+      std::cout << " (within a factor of 3";
+      if (const auto open = std::ranges::count(estimate.stage_seconds, 0.); open > 0)
+        std::cout << ", without " << open << (open == 1 ? " stage whose end" : " stages whose ends") << " cannot be foreseen";
+      std::cout << ')' << std::endl;
     }
 
     /// What the scene has, and what `auto` would choose for it.

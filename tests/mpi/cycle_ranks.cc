@@ -76,7 +76,8 @@ namespace
     SharedDebris<2>     waiting;
     Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
     scene.effects.push_back(effect);
-    Cycle<2> cycle(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo);
+    PhaseClock phases;
+    Cycle<2>   cycle(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo, phases);
     cycle.refresh(domain.state, domain.derived);
     try
       {

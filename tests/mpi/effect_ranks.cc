@@ -181,7 +181,7 @@ namespace
     {
       SharedDebris<2> waiting;
       Handover<2>(problem, regridding).enter(scene.stages[0], nullptr, domain, ledger, waiting);
-      cycle.emplace(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo);
+      cycle.emplace(scene, scene.stages[0], layout, domain.view->mesh, domain.view->halo, phases);
       cycle->refresh(domain.state, domain.derived);
       ledger.check(present(), "start", 1.);
       start = domain.state;
@@ -212,6 +212,7 @@ namespace
     Regridding<2>           regridding;
     Domain<2>               domain;
     Ledger<2>               ledger;
+    PhaseClock              phases;
     std::optional<Cycle<2>> cycle;
     State<2>                start;
     double                  dt = 0;

@@ -80,8 +80,9 @@ namespace
       Reporter<2> reporter(problem, directory, false, MPI_COMM_SELF, nullptr);
       LastGood<2> last_good;
       last_good.keep_books(run.books);
+      PhaseClock phases;
       StageLoop<2>(
-          scene, layout, regridding, handover, scene.stages[0], reporter, [] {}, run, last_good)
+          scene, layout, regridding, handover, scene.stages[0], reporter, [] {}, run, last_good, phases)
           .run();
       reporter.flush();
     }

@@ -62,6 +62,19 @@ namespace
     EXPECT_EQ(is.count("Stages/impact/Plates measured"), 0u);
   }
 
+  TEST(AutomaticStages, HowDebrisLandsIsSaidOnceForAllStages)
+  {
+    auto statements = scene("subsection Bodies\n set List = wall, ball, first, second\n" + plate("wall", 10, 2) + ball +
+                                plate("first", 0, 1) + plate("second", 5, 1) + "end\n",
+                            " set Hand-over = as it arrives\n subsection impact\n  set Hand-over = at once\n end\n");
+    expand_automatic_stages(statements);
+    auto is = values(statements);
+    EXPECT_EQ(is.count("Stages/perforation 1/Hand-over"), 0u) << "nothing lands in the first stage";
+    EXPECT_EQ(is["Stages/perforation 2/Hand-over"], "as it arrives");
+    EXPECT_EQ(is["Stages/impact/Hand-over"], "at once") << "what the scene says of a stage counts";
+    EXPECT_EQ(is.count("Stages/Hand-over"), 0u);
+  }
+
   TEST(AutomaticStages, WhatCannotBeOrderedIsNamed)
   {
     const auto complaint = [](const std::string &bodies) {

@@ -85,6 +85,8 @@ namespace whipple::summary
     double peak_rss_bytes    = 0; ///< of all ranks
     int    ranks             = 1;
     double active_cell_steps = 0;
+
+    std::map<std::string, double> phases; ///< wall seconds of the first rank by what it did
   };
 
   /// Something the scheme had to do to go on: how often, and how much in all.

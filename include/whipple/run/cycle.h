@@ -7,6 +7,7 @@
 #include <whipple/mesh/halo.h>
 #include <whipple/problem/field_layout.h>
 #include <whipple/remap/directional_remap.h>
+#include <whipple/run/phase_clock.h>
 #include <whipple/scene/scene.h>
 
 #include <functional>
@@ -31,7 +32,7 @@ namespace whipple
   {
   public:
     Cycle(const Scene<dim> &scene, const Stage &stage, const FieldLayout &layout, const FlatMesh<dim> &mesh,
-          const Halo<dim> &halo);
+          const Halo<dim> &halo, PhaseClock &phases);
 
     /// Node masses of a state whose cells or nodes are new (after a regrid or projection), and all that follows from
     /// it.
@@ -79,6 +80,7 @@ namespace whipple
     const FieldLayout                   &layout_;
     const FlatMesh<dim>                 &mesh_;
     const Halo<dim>                     &halo_;
+    PhaseClock                          &phases_;
     KineticLoss                          lost_kinetic_energy_;
     std::optional<double>                rubble_void_; ///< Lagrangian stages: elements of their own are rubble above it
     LagrangeStep<dim>                    lagrange_;

@@ -3,6 +3,7 @@
 
 #include <whipple/output/process_use.h>
 #include <whipple/output/summary.h>
+#include <whipple/run/phase_clock.h>
 
 #include <mpi.h>
 
@@ -30,11 +31,22 @@ namespace whipple
       performance.cpu_s          = earlier_.cpu_s + use.cpu_s - cpu_start_;
       performance.peak_rss_bytes = use.peak_rss_bytes;
       MPI_Comm_size(communicator_, &performance.ranks);
+      performance.phases = earlier_.phases;
+      for (const auto &[phase, seconds] : phases_.seconds())
+        performance.phases[phase] += seconds;
+    }
+
+    /// What the time is spent on.
+    PhaseClock &
+    phases()
+    {
+      return phases_;
     }
 
   private:
     summary::Performance earlier_;
     MPI_Comm             communicator_;
     double               wall_start_, cpu_start_;
+    PhaseClock           phases_;
   };
 } // namespace whipple

@@ -7,6 +7,7 @@
 #include <whipple/run/flight.h>
 #include <whipple/run/handover.h>
 #include <whipple/run/last_good.h>
+#include <whipple/run/phase_clock.h>
 #include <whipple/run/regridding.h>
 #include <whipple/run/run_state.h>
 #include <whipple/run/stage_news.h>
@@ -30,7 +31,7 @@ namespace whipple
     /// @param last_good what failures go back to, kept up to date
     StageLoop(const Scene<dim> &scene, const FieldLayout &layout, const Regridding<dim> &regridding,
               const Handover<dim> &handover, const Stage &stage, StageNews<dim> &news,
-              std::function<void()> before_step, RunState<dim> &run, LastGood<dim> &last_good);
+              std::function<void()> before_step, RunState<dim> &run, LastGood<dim> &last_good, PhaseClock &phases);
 
     /// From where the run state is to the end of the stage.
     /// @returns why the later stages would have nothing to do, if so
@@ -142,6 +143,7 @@ namespace whipple
     std::function<void()>  before_step_;
     RunState<dim>         &run_;
     LastGood<dim>         &last_good_;
+    PhaseClock            &phases_;
     RigidWalls<dim>        walls_;
     StateGuard<dim>        state_guard_;
 
