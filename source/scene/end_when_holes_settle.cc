@@ -16,9 +16,9 @@ namespace whipple
     /// Looks are made at times t_n = growth^n t_0 after the start, t_0 the first step. The end is there when over the
     /// last `looks` looks (the last third of the time) none has changed by more than `share` of its largest value, nor
     /// by more than half a finest cell (if that is below `small` of it; of a crater, of the dent it lies in), whichever
-    /// is more. The dent itself may go on: a wall whose rim is free moves on as a whole. As long as there is no hole
-    /// and no crater, kinetic energies are looked at instead: what meets a plate loses some. The memory holds the time
-    /// of the next look, the number of values, and the last rows of values.
+    /// is more. The dent itself may go on where it is slow: a wall whose rim is free moves on as a whole. As long as
+    /// there is no hole and no crater, kinetic energies are looked at instead: what meets a plate loses some. The
+    /// memory holds the time of the next look, the number of values, and the last rows of values.
     class EndWhenHolesSettle : public StageEnd
     {
     public:
@@ -28,8 +28,10 @@ namespace whipple
         double plane, velocity;
       };
 
-      EndWhenHolesSettle(double latest, std::optional<Target> target)
+      /// @param slow velocity below which a dent may go on, cm/us
+      EndWhenHolesSettle(double latest, double slow, std::optional<Target> target)
         : latest_(latest)
+        , slow_(slow)
         , target_(target)
       {
       }
@@ -53,7 +55,7 @@ namespace whipple
         if (past >= memory[0] * (1. - 1e-9))
           {
             memory[0]          = past * growth;
-            const bool settled = remember(stage, memory);
+            const bool settled = remember(stage, past, memory);
             if (settled && on_its_way(stage) <= late * memory[2])
               return {0., stage.time()};
           }
@@ -63,7 +65,8 @@ namespace whipple
 
     private:
       static constexpr double      growth = 1.1, share = 0.02, cells = 0.5, small = 0.1, late = 0.02;
-      static constexpr std::size_t looks = 5; // 1.1^4 = 1.46
+      static constexpr std::size_t looks = 5;
+      static constexpr double window = growth * growth * growth * growth; // 1.46: from the first of these to the last
 
       static inline const std::string crater = "crater of ", dent = "dent of ";
 
@@ -81,12 +84,12 @@ namespace whipple
       static bool
       is_of_plate(const std::string &name)
       {
-        return name.starts_with("hole of ") || name.starts_with(crater);
+        return name.starts_with("hole of ") || name.starts_with(crater) || name.starts_with(dent);
       }
 
       /// Add a row. @returns whether the last rows agree
-      static bool
-      remember(const StageView &stage, std::vector<double> &memory)
+      bool
+      remember(const StageView &stage, double past, std::vector<double> &memory) const
       {
         constexpr std::size_t               first   = 3;
         const std::map<std::string, double> watched = stage.watched();
@@ -105,7 +108,7 @@ namespace whipple
         });
         std::size_t i        = first;
         for (const auto &[name, value] : watched)
-          if (const std::size_t column = i++; is_of_plate(name) == has_hole && !name.starts_with(dent))
+          if (const std::size_t column = i++; is_of_plate(name) == has_hole)
             {
               double low = std::numeric_limits<double>::infinity(), high = -low;
               for (std::size_t k = column; k < memory.size(); k += n)
@@ -115,15 +118,20 @@ namespace whipple
                 }
               const double size  = name.starts_with(crater) ? watched.at(dent + name.substr(crater.size())) : high;
               const double slack = has_hole ? std::min(cells * stage.finest_cell(), small * size) : 0.;
-              if (high - low > std::max(share * high, slack))
+              const bool   slow  = name.starts_with(dent) && high - low <= slow_ * (past - past / window);
+              if (high - low > std::max(share * high, slack) && !slow)
                 return false;
             }
         return true;
       }
 
       double                latest_; ///< us since the start
+      double                slow_;   ///< cm/us
       std::optional<Target> target_;
     };
+
+    /// Part of the largest speed of a body below which a dent may go on: far below what tears a plate.
+    constexpr double slow_share = 0.01;
 
     const StageEndRegistration registration(
         "until holes have settled",
@@ -142,20 +150,21 @@ namespace whipple
            if (!(latest > 0))
              input.reject("allowed is a time > 0 us");
            if (rest.empty())
-             return until_holes_have_settled(latest);
+             return std::make_shared<EndWhenHolesSettle>(latest, slow_share * input.largest_speed, std::nullopt);
            if (!rest.starts_with(reached))
              input.reject(
                  "allowed is 'until holes have settled', followed by 'and debris has reached BODY', 'within 10 us', "
                  "or both");
            const std::size_t body = input.body(rest.substr(reached.size()));
            return std::make_shared<EndWhenHolesSettle>(
-               latest, EndWhenHolesSettle::Target{input.fronts[body], input.debris_velocity()});
+               latest, slow_share * input.largest_speed,
+               EndWhenHolesSettle::Target{input.fronts[body], input.debris_velocity()});
          }});
   } // namespace
 
   std::shared_ptr<const StageEnd>
   until_holes_have_settled(double latest)
   {
-    return std::make_shared<EndWhenHolesSettle>(latest, std::nullopt);
+    return std::make_shared<EndWhenHolesSettle>(latest, 0., std::nullopt);
   }
 } // namespace whipple

@@ -85,7 +85,8 @@ namespace whipple
                   << " MB";
       std::cout << " (within a factor of 3";
       if (const auto open = std::ranges::count(estimate.stage_seconds, 0.); open > 0)
-        std::cout << ", without " << open << (open == 1 ? " stage whose end" : " stages whose ends") << " cannot be foreseen";
+        std::cout << ", without " << open << (open == 1 ? " stage whose end" : " stages whose ends")
+                  << " cannot be foreseen";
       std::cout << ')' << std::endl;
     }
 

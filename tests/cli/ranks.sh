@@ -7,7 +7,8 @@ source=$2
 # Tables "name<tab>value" of everything a run says: summary.json with a line number for a name where names repeat,
 # statistics.csv by row and column.
 values() {
-  awk -F'": ' '/wall_s|cpu_s|peak_rss|per_rank|"ranks"/ { next }
+  awk -F'": ' '/"phases"/ { skip = 1 } skip { skip = !/}/; next }
+    /wall_s|cpu_s|peak_rss|per_rank|"ranks"/ { next }
     { gsub(/[ ",]/, "", $1); sub(/,$/, "", $2); print FNR " " $1 "\t" $2 }' "$1/summary.json"
   awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) name[i] = $i; next }
     { for (i = 1; i <= NF; ++i) print "row " NR " " name[i] "\t" $i }' "$1/statistics.csv"

@@ -14,8 +14,9 @@ namespace whipple
   ///     debris k        lagrangian   until leading edge reaches plate k + 1
   ///     impact          eulerian     until settled, with the last plate
   ///
-  /// How debris lands (Representation, Hand-over, Fragment size, Fragment rings) may be said in the section Stages itself,
-  /// for all stages. The statements of the chain stand before the statements of the file, so that any of them can be overruled there.
+  /// How debris lands (Representation, Hand-over, Fragment size, Fragment rings) may be said in the section Stages
+  /// itself, for all stages. The statements of the chain stand before the statements of the file, so that any of them
+  /// can be overruled there.
   /// @throws InputError if there is no plate, a plate's place cannot be read, or plates overlap.
   void
   expand_automatic_stages(std::vector<PrmStatement> &statements);

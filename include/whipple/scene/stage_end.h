@@ -54,9 +54,9 @@ namespace whipple
     /// arrive, g cm/us. beyond() counts it, too.
     virtual double
     coming(double velocity) const = 0;
-    /// What there is to watch, by name: kinetic energy of each body, and of each plate its hole, its crater (what is gone
-    /// of its thickness) and its dent (the depth of that below the undisturbed front, dishing included) ... (cm, g, us,
-    /// Mbar)
+    /// What there is to watch, by name: kinetic energy of each body, and of each plate its hole, its crater (what is
+    /// gone of its thickness) and its dent (the depth of that below the undisturbed front, dishing included) ... (cm,
+    /// g, us, Mbar)
     virtual std::map<std::string, double>
     watched() const = 0;
   };
