@@ -45,16 +45,18 @@ namespace whipple
         return "is not empty and not the output of a Whipple run (no log.txt of one); nothing overwritten";
       fs::create_directories(directory);
       lock = DirectoryLock(directory);
-      if (is_output_of_a_run(directory) && earlier == EarlierRun::refused)
-        return "holds an earlier run; give another directory, or --overwrite to replace that run";
       if (is_output_of_a_run(directory))
-        manifest::remove_listed(directory);
+        {
+          if (earlier == EarlierRun::refused)
+            return "holds an earlier run; give another directory, or --overwrite to replace that run";
+          manifest::remove_listed(directory);
+        }
       // creating it may succeed where writing into it does not; find out now and leave the mark of a run
       std::ofstream log(directory / log_file);
       if (!(log << log_mark << '\n' << std::flush))
         return "cannot be written to";
       for (const char *name : {log_file, "parameters.prm", "summary.json", "statistics.csv", "fields.xdmf",
-                               "fields.pvd", "checkpoints/", "last_good_state/"})
+                               "fields.pvd", "report.html", "checkpoints/", "last_good_state/"})
         manifest::note(directory, name);
       return {};
     }

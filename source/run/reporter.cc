@@ -78,6 +78,8 @@ namespace whipple
       {
         log_.count_from(resumed->summary.counts.warnings);
         fields_.go_on(resumed->report.fields);
+        if (resumed->progress.begun) // the stage has taken that long already
+          time_left_.begin(resumed->stage, log_.wall_seconds() - resumed->summary.stages.back().wall_s);
         return;
       }
     log_.info("effects (what, whether, number, why):");

@@ -23,10 +23,9 @@ namespace whipple
 
   /// Make `directory` ready for a new run: create it with its parents, or, where an earlier run shall be replaced,
   /// remove what its manifest lists (other files stay). Collective; only rank 0 touches the disk.
-  /// @throws InputError on every rank if it exists, is not empty and is not the output of a Whipple run, is one that
-  /// stays
-  ///         (a Whipple log.txt is what marks one), has no manifest, if it cannot be created, or if another run is
-  ///         writing into it.
+  /// @throws InputError on every rank if it cannot be created, another run is writing into it, or it exists and is
+  ///         neither empty nor the output of a Whipple run (a Whipple log.txt marks one), or holds one that is refused
+  ///         or has no manifest
   /// @returns keeps others out; held by the first rank
   DirectoryLock
   prepare_output_directory(const std::string &directory, EarlierRun earlier, MPI_Comm communicator);
