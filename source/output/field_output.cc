@@ -53,7 +53,7 @@ namespace whipple
   FieldOutput<dim>::write(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                           std::string_view stage)
   {
-    if (series_.count > 0 && series_.stage == stage && series_.time == state.time)
+    if (count() > 0 && series_.stage == stage && series_.time == state.time)
       return;
     const int           rank = rank_in(communicator_);
     const Snapshot<dim> snapshot =
@@ -63,7 +63,7 @@ namespace whipple
     MPI_Allreduce(MPI_IN_PLACE, &n_cells, 1, MPI_UINT64_T, MPI_SUM, communicator_);
     if (n_cells == 0)
       return;
-    const std::string stem = "fields/" + numbered("fields-", series_.count++);
+    const std::string stem = "fields/" + numbered("fields-", count());
     series_.stage          = stage;
     series_.time           = state.time;
     series_.shown.push_back(shown_time(state.time));
@@ -89,8 +89,8 @@ namespace whipple
   double
   FieldOutput<dim>::shown_time(double time) const
   {
-    constexpr double apart =
-        1e-9; // of the time: ParaView's readers tell 1e-15 apart, not 2e-16; people read fewer digits
+    // of the time: ParaView's readers tell 1e-15 apart, not 2e-16; people read fewer digits
+    constexpr double apart = 1e-9;
     return series_.shown.empty() ? time : std::max(time, series_.shown.back() * (1. + apart));
   }
 

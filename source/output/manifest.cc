@@ -33,11 +33,11 @@ namespace whipple::manifest
       return !name.empty() && name.is_relative() && *name.lexically_normal().begin() != "..";
     }
 
-    /// Remove the folders from `folder` up to the directory that are empty.
+    /// Remove a folder, if it is still there, and those around it in the directory, as far as they are empty.
     void
     remove_empty(fs::path folder, const fs::path &directory)
     {
-      for (; folder != directory && fs::is_directory(folder) && fs::is_empty(folder); folder = folder.parent_path())
+      for (; folder != directory && (!fs::exists(folder) || fs::is_empty(folder)); folder = folder.parent_path())
         fs::remove(folder);
     }
   } // namespace
@@ -69,9 +69,7 @@ namespace whipple::manifest
           fs::remove_all(path);
         else if (!fs::is_directory(path))
           fs::remove(path);
-        if (folder)
-          remove_empty(path, directory);
-        remove_empty(path.parent_path(), directory);
+        remove_empty(folder ? path : path.parent_path(), directory);
       }
     fs::remove(directory / file_name);
   }

@@ -163,8 +163,8 @@ namespace whipple
     if (!active_)
       return;
     ++warnings_;
-    const std::string plain = "warning: " + std::string(text), yellow = "\033[33mwarning:\033[0m " + std::string(text);
-    line(plain, live_ && wants_colour() ? yellow : plain);
+    const char *shown = live_ && wants_colour() ? "\033[33mwarning:\033[0m " : "warning: ";
+    line("warning: " + std::string(text), shown + std::string(text));
   }
 
   void

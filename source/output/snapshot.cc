@@ -148,6 +148,18 @@ namespace whipple
   }
 
   template <int dim>
+  std::vector<std::int32_t>
+  walked_cells(const Snapshot<dim> &snapshot, std::uint64_t first_node)
+  {
+    constexpr std::size_t     corners = Snapshot<dim>::corners;
+    std::vector<std::int32_t> nodes(snapshot.cell_node.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      nodes[i] = static_cast<std::int32_t>(first_node) +
+                 snapshot.cell_node[i - i % corners + Snapshot<dim>::walk[i % corners]];
+    return nodes;
+  }
+
+  template <int dim>
   Snapshot<dim>
   take_snapshot(const FlatMesh<dim> &mesh, const State<dim> &state, const Derived &derived,
                 const std::vector<std::string> &material_names, const ExtraFields<dim> &extra,
@@ -166,6 +178,8 @@ namespace whipple
   template std::vector<CellField>
   fields_of_cells<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::vector<std::string> &,
                      const ExtraFields<2> &, const std::vector<Index> &, int);
+  template std::vector<std::int32_t>
+  walked_cells(const Snapshot<2> &, std::uint64_t);
   template Snapshot<2>
   take_snapshot<2>(const FlatMesh<2> &, const State<2> &, const Derived &, const std::vector<std::string> &,
                    const ExtraFields<2> &, const SnapshotOptions &);

@@ -47,19 +47,6 @@ namespace whipple::snapshot_hdf5
     }
 
     template <int dim>
-    std::vector<int>
-    walked_cells(const Snapshot<dim> &snapshot, std::uint64_t first_node)
-    {
-      constexpr int    corners = Snapshot<dim>::corners;
-      std::vector<int> nodes(snapshot.cell_node.size());
-      for (std::size_t c = 0; c < snapshot.n_cells(); ++c)
-        for (int k = 0; k < corners; ++k)
-          nodes[c * corners + k] =
-              static_cast<int>(first_node) + snapshot.cell_node[c * corners + Snapshot<dim>::walk[k]];
-      return nodes;
-    }
-
-    template <int dim>
     std::string
     grid_head(const GridPlace &place, const Rows &nodes, const Rows &cells)
     {
@@ -77,14 +64,12 @@ namespace whipple::snapshot_hdf5
     }
 
     std::string
-    attribute(std::string_view name, const std::string &unit, std::string_view type, std::string_view center,
+    attribute(const std::string &name, const std::string &unit, std::string_view type, std::string_view center,
               const std::string &item)
     {
       std::ostringstream text;
-      text << "<Attribute Name=\"" << xml(name);
-      if (unit != "1")
-        text << " [" << xml(unit) << ']';
-      text << "\" AttributeType=\"" << type << "\" Center=\"" << center << "\">" << item << "</Attribute>\n";
+      text << "<Attribute Name=\"" << xml(with_unit(name, unit)) << "\" AttributeType=\"" << type << "\" Center=\""
+           << center << "\">" << item << "</Attribute>\n";
       return text.str();
     }
 

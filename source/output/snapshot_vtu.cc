@@ -59,17 +59,6 @@ namespace whipple::snapshot_vtu
     constexpr std::uint8_t cell_type = dim == 2 ? 9 : 12;
 
     template <int dim>
-    std::vector<std::int32_t>
-    walked_cells(const Snapshot<dim> &snapshot)
-    {
-      constexpr std::size_t     corners = Snapshot<dim>::corners;
-      std::vector<std::int32_t> nodes(snapshot.cell_node.size());
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        nodes[i] = snapshot.cell_node[i - i % corners + Snapshot<dim>::walk[i % corners]];
-      return nodes;
-    }
-
-    template <int dim>
     std::string
     piece(const Snapshot<dim> &snapshot)
     {
@@ -80,12 +69,11 @@ namespace whipple::snapshot_vtu
       write_array(text, "velocity [cm/us]", 3, single_precision(snapshot.velocity));
       text << "</PointData>\n<CellData>\n";
       for (const CellField &field : snapshot.fields)
-        write_array(text, xml(field.unit == "1" ? field.name : field.name + " [" + field.unit + ']'), 1,
-                    single_precision(field.value));
+        write_array(text, xml(with_unit(field.name, field.unit)), 1, single_precision(field.value));
       text << "</CellData>\n<Points>\n";
       write_array(text, "Points", 3, points(snapshot));
       text << "</Points>\n<Cells>\n";
-      write_array(text, "connectivity", 1, walked_cells(snapshot));
+      write_array(text, "connectivity", 1, walked_cells(snapshot, 0));
       std::vector<std::int32_t> ends(snapshot.n_cells());
       for (std::size_t c = 0; c < ends.size(); ++c)
         ends[c] = static_cast<std::int32_t>((c + 1) * corners);

@@ -139,7 +139,7 @@ namespace whipple
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Amounts, mass, momentum, internal_energy, kinetic_energy)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Event, number, size, unit)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OneBooking, left, dropped, converted, event)
-  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldSeries, count, grids, shown, stage, time)
+  NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldSeries, grids, shown, stage, time)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReportProgress, next_fields, next_statistics, fields, statistics_bytes,
                                      table_bytes, events_warned)
   NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageProgress, begun, next_arrivals, memory_of_end, last_time_step, ceiling,

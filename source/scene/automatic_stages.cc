@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace whipple
 {
@@ -103,19 +104,11 @@ namespace whipple
     /// What an automatic list takes for all stages in which debris lands.
     constexpr std::array landing_keys{"Representation", "Hand-over", "Fragment size", "Fragment rings"};
 
-    /// The keys that the section Stages sets for them. They are taken out of the statements.
-    Statements
-    take_landing(Statements &statements)
+    bool
+    is_landing(const PrmStatement &statement)
     {
-      Statements taken;
-      for (const char *key : landing_keys)
-        if (const PrmStatement *found = find(statements, "Stages", key))
-          taken.push_back(*found);
-      std::erase_if(statements, [](const PrmStatement &statement) {
-        return statement.section == "Stages" &&
-               std::find(landing_keys.begin(), landing_keys.end(), statement.key) != landing_keys.end();
-      });
-      return taken;
+      return statement.section == "Stages" &&
+             std::find(landing_keys.begin(), landing_keys.end(), statement.key) != landing_keys.end();
     }
 
     void
@@ -144,9 +137,10 @@ namespace whipple
     const std::vector<std::string> effects = listed(statements, "Effects");
     const bool has_sizes = std::find(effects.begin(), effects.end(), "fragment size") != effects.end();
 
-    const Statements landing = take_landing(statements);
-    Statements       chain;
-    std::string      names;
+    Statements landing, chain;
+    std::copy_if(statements.begin(), statements.end(), std::back_inserter(landing), is_landing);
+    std::erase_if(statements, is_landing);
+    std::string names;
     for (std::size_t k = 0; k < plates.size(); ++k)
       {
         const bool        last   = k + 1 == plates.size();

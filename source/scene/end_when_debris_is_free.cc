@@ -11,13 +11,11 @@ namespace whipple
   {
     /// When a plate has been perforated and gives no more momentum to, or takes it from, the debris behind it.
     ///
-    /// Debris is what lies beyond the plate's rear face and is faster than a tenth of the fastest body. Looks are made
+    /// Debris is what lies beyond the plate's rear face and is faster than a tenth of what came. Looks are made
     /// at times t_0 growth^n after the start, t_0 the first time at which there is debris. It is free once half of the
     /// momentum of what is that fast is beyond the plate, grows there by less than `share` between looks two apart (in
     /// the last sixth of the time), twice in a row, and next to nothing is still coming. At the latest, once that half
-    /// is through, at `longest` times the time of it, or when the foremost has come to the next body. The memory holds
-    /// the time of the next look, how often it was quiet, the momenta of the last two looks, and the time of the half
-    /// (0: not yet).
+    /// is through, at `longest` times the time of it, or when the foremost has come to the next body.
     class EndWhenDebrisIsFree : public StageEnd
     {
     public:
@@ -42,7 +40,7 @@ namespace whipple
       {
         if (memory.empty())
           memory = {std::min(velocity_, debris_share * stage.fastest())};
-        const double past = stage.time() - stage.start(), least = memory[0];
+        const double past = stage.time() - stage.start(), least = memory[least_velocity];
         if (memory.size() == 1)
           {
             // until something has come through, look at every step
@@ -57,21 +55,23 @@ namespace whipple
               return {step, stage.time() + 10. * step};
             memory = {least, past * growth, 0., 0., 0., 0.};
           }
-        if (past < memory[1] * (1. - 1e-9))
-          return {memory[1] - past, stage.time() + memory[1] - past};
+        if (past < memory[next_look] * (1. - 1e-9))
+          return {memory[next_look] - past, stage.time() + memory[next_look] - past};
         const double momentum = stage.beyond(rear_, least).momentum;
         const double all      = stage.beyond(-std::numeric_limits<double>::infinity(), least).momentum;
         if (!(all > 0))
           return {0., stage.time(),
                   "nothing flies on from '" + name_ + "': after " + std::to_string(past) +
                       " us nothing in the domain is faster than " + std::to_string(least) + " cm/us"};
-        if (memory[5] == 0 && momentum >= 0.5 * all)
-          memory[5] = past;
-        const bool through = memory[5] > 0;
-        const bool quiet   = through && memory[3] > 0 && std::abs(momentum - memory[3]) <= share * momentum;
-        memory             = {least, memory[1] * growth, quiet ? memory[2] + 1. : 0., memory[4], momentum, memory[5]};
-        const bool come    = stage.coming(least) <= share_still_coming * all;
-        if ((come && memory[2] >= 2.) || (through && past >= longest * memory[5]))
+        if (memory[half_through] == 0 && momentum >= 0.5 * all)
+          memory[half_through] = past;
+        const bool through = memory[half_through] > 0;
+        const bool quiet =
+            through && memory[one_before] > 0 && std::abs(momentum - memory[one_before]) <= share * momentum;
+        memory = {least,    memory[next_look] * growth, quiet ? memory[quiet_looks] + 1. : 0., memory[last_momentum],
+                  momentum, memory[half_through]};
+        const bool come = stage.coming(least) <= share_still_coming * all;
+        if ((come && memory[quiet_looks] >= 2.) || (through && past >= longest * memory[half_through]))
           return {0., stage.time()};
         if (through && std::isfinite(next_front_))
           {
@@ -79,12 +79,24 @@ namespace whipple
             const double gap = next_front_ - stage.foremost() - safe_cells * stage.finest_cell();
             if (gap <= 0)
               return {0., stage.time()};
-            memory[1] = std::min(memory[1], past + std::max(gap, stage.finest_cell()) / stage.fastest());
+            memory[next_look] =
+                std::min(memory[next_look], past + std::max(gap, stage.finest_cell()) / stage.fastest());
           }
-        return {memory[1] - past, stage.time() + memory[1] - past};
+        return {memory[next_look] - past, stage.time() + memory[next_look] - past};
       }
 
     private:
+      /// What the memory holds; before anything has come through the first alone.
+      enum Memory : std::size_t
+      {
+        least_velocity, ///< of debris, cm/us
+        next_look,      ///< time since the start, us
+        quiet_looks,    ///< in a row
+        one_before,     ///< momentum beyond the plate at the look before the last, g cm/us
+        last_momentum,  ///< ... at the last
+        half_through    ///< when half of the momentum was through, us; 0: not yet
+      };
+
       static constexpr double growth = 1.1;
       static constexpr double share = 0.01, longest = 8.;
       static constexpr double safe_cells = 8;

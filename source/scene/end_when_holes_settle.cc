@@ -149,16 +149,16 @@ namespace whipple
              }
            if (!(latest > 0))
              input.reject("allowed is a time > 0 us");
+           const double slow = slow_share * input.largest_speed;
            if (rest.empty())
-             return std::make_shared<EndWhenHolesSettle>(latest, slow_share * input.largest_speed, std::nullopt);
+             return std::make_shared<EndWhenHolesSettle>(latest, slow, std::nullopt);
            if (!rest.starts_with(reached))
              input.reject(
                  "allowed is 'until holes have settled', followed by 'and debris has reached BODY', 'within 10 us', "
                  "or both");
            const std::size_t body = input.body(rest.substr(reached.size()));
            return std::make_shared<EndWhenHolesSettle>(
-               latest, slow_share * input.largest_speed,
-               EndWhenHolesSettle::Target{input.fronts[body], input.debris_velocity()});
+               latest, slow, EndWhenHolesSettle::Target{input.fronts[body], input.debris_velocity()});
          }});
   } // namespace
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The factory that turns a request into a material, and what the models say of themselves.
+#include "complaint.h"
+
 #include <whipple/error.h>
 #include <whipple/material/material_factory.h>
 #include <whipple/material/material_library.h>
@@ -14,31 +16,10 @@ namespace whipple
 {
   namespace
   {
-    /// Message of the InputError that f throws; empty if it throws none.
-    std::string
-    complaint(const std::function<void()> &f)
-    {
-      try
-        {
-          f();
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      return "";
-    }
-
     std::string
     complaint(const MaterialRequest &request)
     {
-      return complaint([&] { make_material(request); });
-    }
-
-    bool
-    contains(const std::string &text, const std::string &part)
-    {
-      return text.find(part) != std::string::npos;
+      return complaint_of([&] { make_material(request); });
     }
 
     double

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Strength models without temperature, and the library of materials.
+#include "complaint.h"
+
 #include <whipple/error.h>
 #include <whipple/material/linear_hardening.h>
 #include <whipple/material/material_library.h>
@@ -9,34 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace whipple
 {
-  namespace
-  {
-    /// Message of the InputError that f throws; empty if it throws none.
-    std::string
-    complaint(const std::function<void()> &f)
-    {
-      try
-        {
-          f();
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      return "";
-    }
-
-    bool
-    contains(const std::string &text, const std::string &part)
-    {
-      return text.find(part) != std::string::npos;
-    }
-  } // namespace
-
   TEST(Strength, ModelsReturnTheirConstants)
   {
     const std::vector<double> true_density(3, 2.7), e(3, 0.), strain = {0., 0.1, 1.};
@@ -72,7 +49,7 @@ namespace whipple
     EXPECT_DOUBLE_EQ(al.specific_heat, 8.63e-6);
     EXPECT_NEAR(temperature_rise(al, 0.01), 1158.7, 0.1); // 1 MJ/kg
 
-    const std::string message = complaint([] { find_material("unobtainium"); });
+    const std::string message = complaint_of([] { find_material("unobtainium"); });
     EXPECT_TRUE(contains(message, "unobtainium"));
     for (const std::string &name : material_names())
       EXPECT_TRUE(contains(message, name)) << name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Johnson-Cook, Steinberg-Guinan and the thermal softening of models that know no temperature. Numbers without another
 // source are the formulas of doc/theory/strength.md worked out by hand.
+#include "complaint.h"
 #include "fixed_thermal.h"
 
 #include <whipple/error.h>
@@ -94,15 +95,7 @@ namespace whipple
     std::string
     complaint(const MaterialRequest &request)
     {
-      try
-        {
-          make_material(request);
-        }
-      catch (const InputError &error)
-        {
-          return error.what();
-        }
-      return "";
+      return complaint_of([&] { make_material(request); });
     }
   } // namespace
 

@@ -68,7 +68,7 @@ namespace
     books.summary.counts.events["e"]  = {1., 0.7, "g"};
     books.summary.performance.cpu_s   = 0.7;
     books.report.next_fields          = 0.3;
-    books.report.fields               = {2, {"<Grid/>", "<Grid>\n</Grid>"}};
+    books.report.fields               = {{"<Grid/>", "<Grid>\n</Grid>"}, {0.1, 1. / 3.}, "wall", 1. / 3.};
     books.report.statistics_bytes     = 1u << 31;
     books.report.events_warned["e"]   = {1., 0.7, "g"};
     books.report.table_bytes["a.csv"] = 77;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "complaint.h"
 #include "source_directory.h"
 
 #include <whipple/error.h>
@@ -20,28 +21,6 @@ namespace
   using namespace whipple;
 
   const std::string shield = std::string(source_directory()) + "/prm/whipple_shield.prm";
-
-  /// What is thrown; empty if nothing is.
-  template <typename Work>
-  std::string
-  complaint(const Work &work)
-  {
-    try
-      {
-        work();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
-  }
 
   class SceneFiles : public testing::Test
   {
@@ -83,7 +62,7 @@ namespace
   {
     const auto reading = [&](const std::string &text) {
       const std::string file = write("scene.prm", text);
-      return complaint([&] { read_prm_statements(file); });
+      return complaint_of([&] { read_prm_statements(file); });
     };
     write("twice.prm", "set Title = y\n");
     write("open.prm", "subsection a\n");
@@ -132,7 +111,7 @@ namespace
   TEST(Variables, WhatIsWrongIsOneClearLine)
   {
     const auto reading = [](const std::vector<PrmStatement> &statements) {
-      return complaint([&] { substituted(statements); });
+      return complaint_of([&] { substituted(statements); });
     };
     const PrmStatement use{"a:2", "", "Title", "$d"};
     EXPECT_TRUE(contains(reading({use}), "a:2: Title = '$d': no variable 'd'; the scene defines none"));
@@ -186,7 +165,7 @@ namespace
   TEST(Touching, WhatCannotTouchIsOneClearLine)
   {
     const auto reading = [](const std::vector<std::string> &overrides) {
-      return complaint([&] { read_problem<2>(shield, overrides); });
+      return complaint_of([&] { read_problem<2>(shield, overrides); });
     };
     EXPECT_TRUE(contains(reading({"Bodies/sphere/Touching = bumpr"}), "did you mean 'bumper'"));
     EXPECT_TRUE(contains(reading({"Bodies/sphere/Touching = sphere"}), "touch itself"));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "complaint.h"
 #include "source_directory.h"
 
 #include <whipple/error.h>
@@ -26,15 +27,7 @@ namespace
   std::string
   complaint(const std::string &file, const std::vector<std::string> &overrides = {})
   {
-    try
-      {
-        read_problem<2>(file, overrides);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return complaint_of([&] { read_problem<2>(file, overrides); });
   }
 
   /// A scene file of the test's own, removed afterwards.

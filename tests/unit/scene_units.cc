@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "complaint.h"
+
 #include <whipple/error.h>
 #include <whipple/scene/units.h>
 
@@ -15,15 +17,7 @@ namespace
   std::string
   complaint(const std::string &text, const units::Quantity &quantity)
   {
-    try
-      {
-        units::parse(text, quantity);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return complaint_of([&] { units::parse(text, quantity); });
   }
 
   TEST(SceneUnits, AMessageIsOneLineWhateverIsWritten)

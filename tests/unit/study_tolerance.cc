@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "complaint.h"
+
 #include <whipple/error.h>
 #include <whipple/study/analysis.h>
 #include <whipple/study/quantity_name.h>
@@ -27,15 +29,7 @@ namespace
   std::string
   complaint(const std::string &text)
   {
-    try
-      {
-        read_tolerance(text, plan_with_results());
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return complaint_of([&] { read_tolerance(text, plan_with_results()); });
   }
 
   TEST(StudyTolerance, NamesAreMatchedByTheirWords)

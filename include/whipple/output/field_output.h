@@ -24,9 +24,8 @@ namespace whipple
   /// The field files written so far.
   struct FieldSeries
   {
-    int                      count = 0; ///< number of the next files
-    std::vector<std::string> grids;     ///< XDMF grid of each time
-    std::vector<double>      shown;     ///< us, the times under which readers find them: each larger than the last
+    std::vector<std::string> grids; ///< XDMF grid of each time
+    std::vector<double>      shown; ///< us, the times under which readers find them: each larger than the last
 
     std::string stage;     ///< of the last state written
     double      time = -1; ///< of the last state written, us
@@ -60,7 +59,7 @@ namespace whipple
     int
     count() const
     {
-      return series_.count;
+      return static_cast<int>(series_.shown.size());
     }
 
     const FieldSeries &

@@ -6,6 +6,7 @@
 #include <whipple/state/fields.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ namespace whipple
     std::string         unit; ///< "Mbar"; "1" for pure numbers
     std::vector<double> value;
   };
+
+  /// "pressure [Mbar]": how readers of files see a quantity; pure numbers have no unit.
+  inline std::string
+  with_unit(const std::string &name, const std::string &unit)
+  {
+    return unit == "1" ? name : name + " [" + unit + ']';
+  }
 
   /// What one rank shows of its state at one time: the chosen cells, the nodes they use, renumbered from 0.
   template <int dim>
@@ -51,6 +59,11 @@ namespace whipple
       return cell_node.size() / corners;
     }
   };
+
+  /// Nodes of the cells in the order of the walk. @param first_node number of the first of this rank's nodes
+  template <int dim>
+  std::vector<std::int32_t>
+  walked_cells(const Snapshot<dim> &snapshot, std::uint64_t first_node);
 
   /// Fields of chosen cells that are functions of the state (temperature ...), for those who know the materials.
   template <int dim>

@@ -11,8 +11,7 @@
 /// Runs from the start and from their checkpoints.
 namespace whipple
 {
-  /// A run from its first stage on: the directory is prepared and parameters.prm
-  /// written. Collective.
+  /// A run from its first stage on: the directory is prepared and parameters.prm written. Collective.
   /// @throws InputError if the directory cannot be used
   template <int dim>
   std::unique_ptr<Simulation<dim>>

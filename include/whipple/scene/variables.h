@@ -14,9 +14,8 @@ namespace whipple
   /// `set d = 0.32 cm` in the section Variables gives, or `set Variables = d = 0.32 cm, gap = 2 cm` in one line. The
   /// last statement counts, so that the command line or a study can change a variable. A variable may use those before
   /// it. The statements that define variables are removed.
-  /// @throws InputError for a name that is none (letters, digits and _, no digit first), a variable that is used and
-  /// not
-  ///         defined, defined on the command line and not used, or uses itself
+  /// @throws InputError for a name that is none (letters, digits and _, no digit first), and for a variable that is not
+  ///         defined where it is used, or that the command line defines and nothing uses
   void
   substitute_variables(std::vector<PrmStatement> &statements);
 } // namespace whipple
